@@ -1,0 +1,9 @@
+# berm::warnings: what every target of ours compiles with.
+add_library(berm_warnings INTERFACE)
+add_library(berm::warnings ALIAS berm_warnings)
+target_compile_options(berm_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  # No errno from sqrt and no trapping: loops vectorise, NaN checks stay alive (never -ffast-math).
+  -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${BERM_WERROR}>:-Werror>
+  $<$<BOOL:${BERM_NATIVE}>:-march=native>)

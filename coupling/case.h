@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/tensor.h"
+#include "meshes/section.h"
+#include "seepage/seepage.h"
+#include "sph/soil.h"
+#include "sph/strength_reduction.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berm::coupling
+{
+enum class PorePressureKind
+{
+  none,
+  hydrostatic,
+  seepage
+};
+
+[[nodiscard]] const char* to_string(PorePressureKind kind);
+
+/// A soil of the case: what the particles need, and what the seepage solve needs.
+struct Soil
+{
+  std::string name;
+  sph::Soil mechanical;
+  std::optional<seepage::Conductivity> conductivity;
+};
+
+struct Water
+{
+  PorePressureKind pore_pressure = PorePressureKind::none;
+  std::optional<double> left_level, right_level; ///< pools [m]
+  Polyline free_surface; ///< hydrostatic: x increasing [m]; empty: the straight line of the pools and toe
+};
+
+struct SphSettings
+{
+  double spacing = 0;            ///< dx [m]; 0: chosen from the section
+  std::string packing = "auto";  ///< "auto", "columns", "lattice"
+  std::string cone = "fitted";   ///< "fitted": cone fitted to Mohr-Coulomb for psi; "paper": Bui et al. 2009 eq. (14)
+  int threads = 0;               ///< 0: as many as OpenMP would take
+};
+
+struct Output
+{
+  Polyline probes; ///< where to print head and pore pressure [m]
+  bool figures = true;
+};
+
+/// A validated case: SI, radians, every field set. docs/case_reference.md lists the keys.
+struct Case
+{
+  std::string title;
+  std::string path;  ///< as given
+  std::string text;  ///< the file, with the effect of --set not in it
+  std::vector<std::string> overrides; ///< of --set
+  meshes::SectionInput section;       ///< pools and marked lines already in it
+  std::vector<Soil> soils;            ///< the first covers what no zone covers
+  Water water;
+  std::vector<seepage::Boundary> marked_boundaries; ///< one for each marked line
+  seepage::Settings seepage;
+  SphSettings sph;
+  bool stability = true; ///< false: only the seepage stage
+  sph::SearchSettings search;
+  Output output;
+};
+} // namespace berm::coupling

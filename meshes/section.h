@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/tensor.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berm::meshes
+{
+/// A region of the section with a soil of its own.
+struct Zone
+{
+  Index soil = 0;   ///< index into the case's list of soils
+  Polyline polygon; ///< simple polygon [m], either orientation; parts outside the section are ignored
+};
+
+/// The section as the user drew it. Either `ground` and `base`, or `outline`.
+struct SectionInput
+{
+  Polyline ground;          ///< left to right, x never decreasing (vertical steps allowed) [m]
+  Polyline base;            ///< left to right, over the same x range; two points for a level [m]
+  Polyline outline;         ///< closed simple polygon [m], either orientation, used if ground is empty
+  std::vector<Zone> zones;  ///< a later zone covers an earlier one; uncovered parts are soil 0
+  std::optional<double> left_pool_level, right_pool_level; ///< [m]
+  std::vector<Polyline> marked_lines; ///< lines on the outline that become stretches of their own [m]
+};
+
+enum class StretchKind
+{
+  ground,     ///< dry ground: air above
+  left_pool,  ///< ground under the left pool
+  right_pool, ///< ground under the right pool
+  base,
+  left_side,  ///< vertical end of the section at its smallest x, below the ground
+  right_side, ///< the same at its largest x
+  marked      ///< on one of the user's marked lines
+};
+
+/// A named part of the outline.
+struct Stretch
+{
+  StretchKind kind = StretchKind::ground;
+  Index marked_line = -1; ///< which of SectionInput::marked_lines, for StretchKind::marked
+  std::string name;       ///< "ground", "left_pool", "right_pool", "base", "left_side", "right_side", "marked_1", ...
+};
+
+/// A validated section. The ground is the upper chain of the outline from its smallest to its largest
+/// x; the base is the lower chain; vertical edges that join them at the ends are the sides.
+struct Section
+{
+  Polyline outline;                   ///< closed, counter-clockwise; has vertices at waterlines, at the
+                                      ///< ends of marked lines and where zone borders meet the outline [m]
+  std::vector<Index> edge_stretch;    ///< edge k joins outline[k] and outline[k+1]; index into stretches
+  std::vector<Stretch> stretches;     ///< those that occur
+  std::vector<Zone> zones;            ///< counter-clockwise
+  Polyline ground;                    ///< left to right [m]
+  Polyline base;                      ///< left to right [m]
+  std::optional<double> left_pool_level, right_pool_level; ///< only if the pool touches the ground
+  double x_min = 0, x_max = 0, y_min = 0, y_max = 0;       ///< [m]
+  double left_side_top = 0, right_side_top = 0; ///< upper end of the sides; equal to the base's end if none [m]
+  bool single_valued = true; ///< ground and base are functions of x (vertical steps allowed)
+};
+
+/// @brief Check the drawing and derive outline, stretches and waterline vertices.
+/// A pool covers the ground from its end of the section to the first point that rises above its level.
+/// A marked line takes precedence over pools and ground.
+/// @throws InputError with every mistake found: crossing edges, wrong order, base above ground, zero
+///         area, zones that are not simple or lie outside, a pool below the ground at its end, a pool
+///         that flows over the section towards a different level, a marked line that is not on the outline.
+[[nodiscard]] Section build_section(const SectionInput& input);
+
+/// @brief Level of the ground (highest, at a vertical step) or of the base (lowest) at x [m].
+/// Pre: section.single_valued, x_min <= x <= x_max.
+[[nodiscard]] double ground_level(const Section& section, double x);
+[[nodiscard]] double base_level(const Section& section, double x);
+
+/// @brief Whether the point lies inside or on the outline.
+[[nodiscard]] bool contains(const Section& section, const Vec2& point);
+
+/// @brief Soil index at a point inside the section: the last zone that covers it, else 0.
+[[nodiscard]] Index soil_at(const Section& section, const Vec2& point);
+
+/// @brief Signed area of a polygon [m2], positive counter-clockwise.
+[[nodiscard]] double polygon_area(const Polyline& polygon);
+
+/// @brief Whether a point lies inside a polygon (even-odd rule).
+[[nodiscard]] bool polygon_contains(const Polyline& polygon, const Vec2& point);
+
+/// @brief The part of a polygon inside an axis-parallel box (Sutherland-Hodgman). Zero-width bridges may remain; the area is right.
+[[nodiscard]] Polyline clip_to_box(const Polyline& polygon, const Vec2& lower, const Vec2& upper);
+} // namespace berm::meshes

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/observer.h"
+#include "meshes/section.h"
+#include "seepage/solution.h"
+
+#include <vector>
+
+namespace berm::seepage
+{
+/// Saturated hydraulic conductivity: principal values along axes turned by `angle` from x.
+struct Conductivity
+{
+  double kx = 0, ky = 0; ///< [m/s], > 0
+  double angle = 0;      ///< [rad], counter-clockwise
+};
+
+enum class BoundaryKind
+{
+  impervious,
+  head,         ///< value: head [m]
+  seepage_face, ///< p = 0 where water comes out, no flow where it does not
+  inflow        ///< value: Darcy flux into the soil [m/s]
+};
+
+struct Boundary
+{
+  BoundaryKind kind = BoundaryKind::impervious;
+  double value = 0;
+};
+
+struct Settings
+{
+  double element_size = 0;   ///< edge length away from the free surface [m]; 0: chosen from the section
+  double refined_size = 0;   ///< edge length along the free surface when adaptive [m]; 0: element_size / 8
+  bool adaptive = true;      ///< solve coarse, refine along the free surface, solve again
+};
+
+/// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage face,
+/// sides and base are impervious, marked lines are what the user said.
+/// @param[in] marked  One entry for each marked line.
+[[nodiscard]] std::vector<Boundary> boundary_conditions(const meshes::Section& section,
+                                                        const std::vector<Boundary>& marked);
+
+/// @brief Solve steady unconfined Darcy flow on the section: mesh, solve, refine, solve.
+/// docs/theory.md section 2.
+/// @param[in] conductivity  One entry for each soil index that the section uses.
+/// @param[in] boundary      One entry for each stretch of the section.
+/// @throws NotConverged if Newton, the active set or the water balance does not; with the history.
+/// @throws InputError if no head is given anywhere.
+[[nodiscard]] Solution solve(const meshes::Section& section, const std::vector<Conductivity>& conductivity,
+                             const std::vector<Boundary>& boundary, const Settings& settings,
+                             Observer& observer);
+
+/// @brief The same on a given mesh, without refinement.
+[[nodiscard]] Solution solve_on_mesh(const meshes::TriangleMesh& mesh, std::size_t stretches,
+                                     const std::vector<Conductivity>& conductivity,
+                                     const std::vector<Boundary>& boundary, Observer& observer);
+} // namespace berm::seepage

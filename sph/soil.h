@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace berm::sph
+{
+/// Effective-stress parameters of a soil. Fields start as NaN: a forgotten one shows.
+struct Soil
+{
+  double density = NAN;           ///< above the water [kg/m3]
+  double saturated_density = NAN; ///< below the water [kg/m3]
+  double cohesion = NAN;          ///< c [Pa], >= 0
+  double friction_angle = NAN;    ///< phi [rad], [0, pi/2)
+  double dilation_angle = NAN;    ///< psi [rad], [0, phi]
+  double young_modulus = NAN;     ///< E [Pa], > 0
+  double poisson_ratio = NAN;     ///< nu [-], [0, 0.5)
+};
+} // namespace berm::sph

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/observer.h"
+#include "core/stopwatch.h"
+#include "sph/particles.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berm::sph
+{
+enum class Outcome
+{
+  stands,
+  fails,
+  undecided
+};
+
+[[nodiscard]] const char* to_string(Outcome outcome);
+
+/// One run of the soil with its strength divided by a factor, and the evidence for its outcome.
+struct Trial
+{
+  double factor = 0;
+  Outcome outcome = Outcome::undecided;
+  std::string reason;          ///< one clause: which rule decided
+  double time = 0;             ///< simulated [s]
+  long steps = 0;
+  double velocity_measure = 0; ///< s of the last window: mean v_rms T0 / d_ref [-]; docs/theory.md section 6
+  double max_displacement = 0; ///< since the settled state [m]
+  bool interrupted = false;    ///< the user asked to stop
+  Seconds seconds;
+  State state;                 ///< at its end
+};
+
+/// What the search is to find, and how closely.
+struct SearchSettings
+{
+  double lower = 0.5, upper = 3.0; ///< where to start; widened if the answer lies outside
+  double tolerance = 0.01;         ///< half the width of the bracket
+  double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
+};
+
+/// The answer of a search: a bracket whose ends were both tried.
+struct FactorOfSafety
+{
+  std::optional<double> stands; ///< largest factor at which the slope stood
+  std::optional<double> fails;  ///< smallest factor at which it failed
+  std::vector<Trial> trials;    ///< in the order in which they ran; states kept only where `state_of` says
+  bool complete = false;        ///< bracket no wider than asked, both ends tried, nothing undecided in between
+  std::string reason;           ///< why not complete; empty if it is
+
+  /// Middle of the bracket; nothing unless both ends are known.
+  [[nodiscard]] std::optional<double> factor() const;
+  /// The trial at the upper (fails) or lower (stands) end of the bracket; null if there is none.
+  [[nodiscard]] const Trial* failing_trial() const;
+  [[nodiscard]] const Trial* standing_trial() const;
+};
+
+/// @brief Bracket the factor of safety by bisection. `run_trial` is any callable double -> Trial.
+/// Every trial starts from the same state, so the order does not matter. An undecided trial is never
+/// counted as either outcome: the search tries once beside it, then ends incomplete.
+[[nodiscard]] FactorOfSafety reduce_strength(const std::function<Trial(double)>& run_trial,
+                                             const SearchSettings& settings, Observer& observer);
+} // namespace berm::sph
