@@ -1,0 +1,1 @@
+# UFL forms of the flow problem
