@@ -38,7 +38,7 @@ endif()
 if(BERM_WITH_SEEPAGE)
   find_package(MPI COMPONENTS C CXX)
   berm_need(MPI_CXX_FOUND libopenmpi-dev)
-  find_package(DOLFINX 0.5 CONFIG QUIET)
+  find_package(DOLFINX CONFIG QUIET) # its version file accepts no range: any release is tried
   berm_need(DOLFINX_FOUND libdolfinx-dev)
   find_program(BERM_FFCX ffcx)
   berm_need(BERM_FFCX python3-ffcx)
