@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "coupling/analysis.h"
+
+#include "core/error.h"
+#include "coupling/pore_pressure.h"
+#include "sph/discretisation.h"
+#include "sph/fill.h"
+#include "sph/trial.h"
+
+#include <fmt/core.h>
+#include <utility>
+
+namespace berm::coupling
+{
+namespace
+{
+/// Runs one stage: tells the observer, and keeps the time.
+template <class Stage>
+auto timed(Analysis& analysis, Observer& observer, const char* name, Stage&& stage)
+{
+  observer.stage(name);
+  const Stopwatch watch;
+  auto result = stage();
+  analysis.stages.push_back({name, watch.elapsed()});
+  return result;
+}
+
+#ifdef BERM_WITH_SEEPAGE
+seepage::Solution solve_seepage(const Case& input, const meshes::Section& section,
+                                Observer& observer)
+{
+  std::vector<seepage::Conductivity> conductivity;
+  for (const Soil& soil : input.soils)
+    conductivity.push_back(soil.conductivity.value());
+  return seepage::solve(section, conductivity,
+                        seepage::boundary_conditions(section, input.marked_boundaries),
+                        input.seepage, observer);
+}
+#endif
+
+Polyline hydrostatic_surface(const Case& input, const meshes::Section& section)
+{
+  if (input.water.pore_pressure != PorePressureKind::hydrostatic)
+    return {};
+  if (!input.water.free_surface.empty())
+    return input.water.free_surface;
+  const Polyline line = straight_free_surface(section);
+  if (line.empty())
+    throw InputError({{.key = "water.free_surface_m",
+                       .value = {},
+                       .problem = "hydrostatic pore pressure needs a free surface or a pool",
+                       .allowed = {},
+                       .hint = "give free_surface_m, left_level_m or right_level_m"}});
+  return line;
+}
+
+PorePressure make_pore_pressure(const Case& input, const Analysis& analysis,
+                                const Polyline& free_surface)
+{
+  switch (input.water.pore_pressure)
+  {
+  case PorePressureKind::hydrostatic:
+    return hydrostatic_pore_pressure(free_surface);
+  case PorePressureKind::seepage:
+    return seepage_pore_pressure(analysis.seepage.value(), input.sph.spacing);
+  case PorePressureKind::none:
+    break;
+  }
+  return no_pore_pressure();
+}
+
+std::vector<sph::Soil> mechanical(const std::vector<Soil>& soils)
+{
+  std::vector<sph::Soil> result;
+  for (const Soil& soil : soils)
+    result.push_back(soil.mechanical);
+  return result;
+}
+
+/// Saturated where there is water in the pores.
+void set_density(sph::Particles& particles, const std::vector<sph::Soil>& soils,
+                 const std::vector<double>& p_w)
+{
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const sph::Soil& soil = soils[static_cast<std::size_t>(particles.soil[i])];
+    particles.density[i] = p_w[i] > 0 ? soil.saturated_density : soil.density;
+  }
+}
+} // namespace
+
+Analysis analyse(const Case& given, Observer& observer)
+{
+  Case input = given;
+  Analysis analysis;
+  analysis.section = meshes::build_section(input.section);
+  const meshes::Section& section = analysis.section;
+
+#ifdef BERM_WITH_SEEPAGE
+  if (input.water.pore_pressure == PorePressureKind::seepage)
+    analysis.seepage = timed(analysis, observer, "seepage",
+                             [&] { return solve_seepage(input, section, observer); });
+#endif
+  if (!input.stability || observer.stop_requested())
+  {
+    analysis.interrupted = observer.stop_requested();
+    return analysis;
+  }
+
+  if (input.sph.spacing <= 0)
+    input.sph.spacing = sph::default_spacing(section);
+  const std::vector<sph::Soil> soils = mechanical(input.soils);
+  Stability& stability = analysis.stability.emplace();
+
+  const sph::Discretisation body = timed(
+      analysis, observer, "particles",
+      [&]
+      {
+        stability.free_surface = hydrostatic_surface(input, section);
+        stability.particles = sph::fill(section, input.sph.spacing, input.sph.packing);
+        const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
+        stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
+        set_density(stability.particles, soils, stability.pore_pressure);
+        return sph::discretise(stability.particles, soils, stability.pore_pressure, section);
+      });
+
+  const sph::Settled settled =
+      timed(analysis, observer, "settling", [&] { return sph::settle(body, observer); });
+  stability.settled = settled.state;
+  stability.settlement = settled.settlement;
+
+  const auto trial = [&](double factor, Observer& trial_observer)
+  {
+    return sph::run_trial(body, settled.state,
+                          sph::reduced_cones(soils, factor, input.sph.cone), factor,
+                          trial_observer);
+  };
+  stability.factor_of_safety =
+      timed(analysis, observer, "strength reduction",
+            [&] { return sph::reduce_strength(trial, input.search, observer); });
+  analysis.interrupted = observer.stop_requested();
+
+  double steps = static_cast<double>(settled.steps);
+  for (const sph::Trial& t : stability.factor_of_safety.trials)
+    steps += static_cast<double>(t.steps);
+  stability.particle_steps = steps * static_cast<double>(stability.particles.size());
+  if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
+    stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
+  return analysis;
+}
+} // namespace berm::coupling

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "coupling/pore_pressure.h"
+
+#include "core/error.h"
+#include "coupling/interpolate.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <memory>
+#include <utility>
+
+namespace berm::coupling
+{
+namespace
+{
+/// Level of a line at x, constant beyond its ends.
+double level_at(const Polyline& line, double x)
+{
+  const auto right = std::find_if(line.begin(), line.end(),
+                                  [x](const Vec2& point) { return point.x() > x; });
+  if (right == line.begin())
+    return line.front().y();
+  if (right == line.end())
+    return line.back().y();
+  const Vec2& a = *(right - 1);
+  const Vec2& b = *right;
+  return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+}
+
+/// Where a pool's surface meets the ground, seen from its end; the far end of the ground if it never does.
+Vec2 waterline(const Polyline& ground_from_pool, double level)
+{
+  for (std::size_t k = 1; k < ground_from_pool.size(); ++k)
+  {
+    const Vec2 &a = ground_from_pool[k - 1], &b = ground_from_pool[k];
+    if (b.y() > level)
+      return a.y() >= level ? a : Vec2{a + (b - a) * (level - a.y()) / (b.y() - a.y())};
+  }
+  return {ground_from_pool.back().x(), level};
+}
+
+/// Foot of the slope at the far end: where the ground, walked back from its end, starts to rise.
+Vec2 toe(const Polyline& ground_from_far_end)
+{
+  std::size_t k = 0;
+  while (k + 1 < ground_from_far_end.size()
+         && ground_from_far_end[k + 1].y() <= ground_from_far_end[k].y())
+    ++k;
+  return ground_from_far_end[k];
+}
+} // namespace
+
+PorePressure no_pore_pressure()
+{
+  return [](std::span<const double> x, std::span<const double>)
+  { return std::vector<double>(x.size(), 0.0); };
+}
+
+PorePressure hydrostatic_pore_pressure(Polyline free_surface)
+{
+  return [line = std::move(free_surface)](std::span<const double> x, std::span<const double> y)
+  {
+    std::vector<double> p_w;
+    p_w.reserve(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      p_w.push_back(water_unit_weight * std::max(level_at(line, x[i]) - y[i], 0.0));
+    return p_w;
+  };
+}
+
+PorePressure seepage_pore_pressure(const seepage::Solution& solution, double max_shift)
+{
+  struct Field
+  {
+    meshes::TriangleMesh mesh;
+    std::vector<double> pressure;
+    TriangleLocator locator{mesh};
+  };
+  const auto field =
+      std::shared_ptr<Field>(new Field{.mesh = solution.mesh, .pressure = solution.pore_pressure});
+  return [field, max_shift](std::span<const double> x, std::span<const double> y)
+  {
+    std::vector<double> p_w;
+    p_w.reserve(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      const auto at = field->locator.locate({x[i], y[i]}, max_shift);
+      if (at.triangle < 0)
+        throw InputError({{.key = "section",
+                           .value = fmt::format("({:.6g}, {:.6g})", x[i], y[i]),
+                           .problem = fmt::format("this particle lies more than {:.3g} m outside "
+                                                  "the seepage mesh",
+                                                  max_shift),
+                           .allowed = {},
+                           .hint = "the mesh and the section disagree"}});
+      const auto& nodes = field->mesh.triangles[static_cast<std::size_t>(at.triangle)];
+      double p = 0;
+      for (std::size_t a = 0; a < 3; ++a)
+        p += at.weight[a] * field->pressure[static_cast<std::size_t>(nodes[a])];
+      p_w.push_back(std::max(p, 0.0));
+    }
+    return p_w;
+  };
+}
+
+Polyline straight_free_surface(const meshes::Section& section)
+{
+  if (!section.left_pool_level && !section.right_pool_level)
+    return {};
+  const Polyline& ground = section.ground;
+  const Polyline reversed(ground.rbegin(), ground.rend());
+  const Vec2 left =
+      section.left_pool_level ? waterline(ground, *section.left_pool_level) : toe(ground);
+  const Vec2 right =
+      section.right_pool_level ? waterline(reversed, *section.right_pool_level) : toe(reversed);
+  if (left.x() >= right.x()) // one pool covers all of the ground
+    return {{section.x_min, std::max(left.y(), right.y())},
+            {section.x_max, std::max(left.y(), right.y())}};
+  return {left, right};
+}
+} // namespace berm::coupling

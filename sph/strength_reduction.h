@@ -60,9 +60,13 @@ struct FactorOfSafety
   [[nodiscard]] const Trial* standing_trial() const;
 };
 
-/// @brief Bracket the factor of safety by bisection. `run_trial` is any callable double -> Trial.
-/// Every trial starts from the same state, so the order does not matter. An undecided trial is never
-/// counted as either outcome: the search tries once beside it, then ends incomplete.
-[[nodiscard]] FactorOfSafety reduce_strength(const std::function<Trial(double)>& run_trial,
+/// Tries one factor; reports its own progress in [0, 1] and polls the observer for a wish to stop.
+using RunTrial = std::function<Trial(double factor, Observer& observer)>;
+
+/// @brief Bracket the factor of safety by bisection, widening where an end contradicts its name.
+/// Every trial must start from the same state, so that the order does not matter. An undecided trial is
+/// never counted as either outcome: the search tries once beside it (a quarter of the bracket below),
+/// and ends incomplete, saying why, if that is undecided too.
+[[nodiscard]] FactorOfSafety reduce_strength(const RunTrial& run_trial,
                                              const SearchSettings& settings, Observer& observer);
 } // namespace berm::sph

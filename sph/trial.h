@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/observer.h"
+#include "sph/discretisation.h"
+#include "sph/soil.h"
+#include "sph/strength_reduction.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace berm::sph
+{
+/// The state at rest under its own weight, and what it took to get there.
+struct Settled
+{
+  State state;           ///< displacement and velocity set to zero
+  double settlement = 0; ///< largest displacement on the way [m]; 7-10 times gamma H^2/(2M) marks a bad packing
+  long steps = 0;
+};
+
+/// @brief Let the soil settle elastically under gravity and pore pressure from zero stress.
+/// Every trial starts from this state. The start (K0, elastic, elastoplastic) does not change F.
+/// @throws NotConverged if it does not come to rest; NumericalError on a value that is not finite.
+[[nodiscard]] Settled settle(const Discretisation& discretisation, Observer& observer);
+
+/// @brief Strength reduced by a factor: c and tan(phi) first, then the cone; psi is kept at or below phi_F.
+/// @param[in] cone  "fitted" or "paper" (Bui et al. 2009 eq. 14 for every psi).
+[[nodiscard]] std::vector<Cone> reduced_cones(std::span<const Soil> soils, double factor,
+                                              const std::string& cone);
+
+/// @brief Run the soil with given cones from the settled state until the verdict is known.
+[[nodiscard]] Trial run_trial(const Discretisation& discretisation, const State& settled,
+                              std::vector<Cone> cones, double factor, Observer& observer);
+} // namespace berm::sph
