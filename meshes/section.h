@@ -66,7 +66,13 @@ struct Section
 
 /// @brief Check the drawing and derive outline, stretches and waterline vertices.
 /// A pool covers the ground from its end of the section to the first point that rises above its level.
-/// A marked line takes precedence over pools and ground.
+/// A marked line takes precedence over everything else, a later one over an earlier one. A level
+/// base that is wider than the ground is cut to it. A pool that covers all the ground is the left one
+/// if both levels are given and equal. A pool level at the ground's end is no pool.
+/// Tolerances, relative to the larger extent of the section: points within 1e-9 are one; zone corners
+/// within 1e-5 of the outline or of an earlier zone are moved onto it; marked lines may lie 1e-4 off.
+/// Keys in messages count zones and boundaries from 1: section.zone[1].polygon_m,
+/// seepage.boundary[1].line_m.
 /// @throws InputError with every mistake found: crossing edges, wrong order, base above ground, zero
 ///         area, zones that are not simple or lie outside, a pool below the ground at its end, a pool
 ///         that flows over the section towards a different level, a marked line that is not on the outline.
@@ -86,9 +92,10 @@ struct Section
 /// @brief Signed area of a polygon [m2], positive counter-clockwise.
 [[nodiscard]] double polygon_area(const Polyline& polygon);
 
-/// @brief Whether a point lies inside a polygon (even-odd rule).
+/// @brief Whether a point lies inside a polygon (even-odd rule). On its border either may come out.
 [[nodiscard]] bool polygon_contains(const Polyline& polygon, const Vec2& point);
 
-/// @brief The part of a polygon inside an axis-parallel box (Sutherland-Hodgman). Zero-width bridges may remain; the area is right.
+/// @brief The part of a polygon inside an axis-parallel box (Sutherland-Hodgman).
+/// Zero-width bridges may remain where the part is in pieces; the area is right. Empty if outside.
 [[nodiscard]] Polyline clip_to_box(const Polyline& polygon, const Vec2& lower, const Vec2& upper);
 } // namespace berm::meshes
