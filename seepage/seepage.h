@@ -32,13 +32,15 @@ struct Boundary
 
 struct Settings
 {
-  double element_size = 0;   ///< edge length away from the free surface [m]; 0: chosen from the section
-  double refined_size = 0;   ///< edge length along the free surface when adaptive [m]; 0: element_size / 8
-  bool adaptive = true;      ///< solve coarse, refine along the free surface, solve again
+  double element_size =
+      0; ///< edge length away from the free surface [m]; 0: chosen from the section
+  double refined_size =
+      0; ///< edge length along the free surface when adaptive [m]; 0: element_size / 8
+  bool adaptive = true; ///< solve coarse, refine along the free surface, solve again
 };
 
-/// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage face,
-/// sides and base are impervious, marked lines are what the user said.
+/// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage
+/// face, sides and base are impervious, marked lines are what the user said.
 /// @param[in] marked  One entry for each marked line.
 [[nodiscard]] std::vector<Boundary> boundary_conditions(const meshes::Section& section,
                                                         const std::vector<Boundary>& marked);
@@ -49,7 +51,8 @@ struct Settings
 /// @param[in] boundary      One entry for each stretch of the section.
 /// @throws NotConverged if Newton, the active set or the water balance does not; with the history.
 /// @throws InputError if no head is given anywhere.
-[[nodiscard]] Solution solve(const meshes::Section& section, const std::vector<Conductivity>& conductivity,
+[[nodiscard]] Solution solve(const meshes::Section& section,
+                             const std::vector<Conductivity>& conductivity,
                              const std::vector<Boundary>& boundary, const Settings& settings,
                              Observer& observer);
 

@@ -17,10 +17,10 @@ struct SolveHistory
   Index unknowns = 0;
   int newton_steps = 0;
   int active_set_changes = 0;
-  double residual = 0;      ///< |F_free| / q_in at the end [-]
-  double discharge = 0;     ///< [m2/s]
-  double seconds = 0;       ///< wall, mesh generation left out [s]
-  double mesh_seconds = 0;  ///< wall, mesh generation [s]
+  double residual = 0;     ///< |F_free| / q_in at the end [-]
+  double discharge = 0;    ///< [m2/s]
+  double seconds = 0;      ///< wall, mesh generation left out [s]
+  double mesh_seconds = 0; ///< wall, mesh generation [s]
 };
 
 /// Steady unconfined flow. Plain arrays; nothing of dolfinx or PETSc.
@@ -28,22 +28,28 @@ struct Solution
 {
   meshes::TriangleMesh mesh;
   std::vector<double> head;          ///< p / gamma_w + y at the nodes [m], shape (n)
-  std::vector<double> pore_pressure; ///< p at the nodes [Pa], compression positive, < 0 above the free surface, shape (n)
-  std::vector<Vec2> flux;            ///< Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m)
-  std::vector<Polyline> phreatic_lines; ///< p = 0 inside the soil, from left to right, longest first [m]
-  std::optional<Vec2> exit_point;    ///< where the seepage face ends: its highest wet point, inside its edge [m]
-  double discharge = 0;              ///< sum of the inflow reactions [m2/s], > 0
-  double inflow = 0, outflow = 0;    ///< both > 0 [m2/s]
-  double balance = 0;                ///< |inflow - outflow| / inflow [-]
-  std::vector<double> stretch_inflow;///< reaction summed over each of the section's stretches [m2/s], > 0 into the soil
-  std::vector<SolveHistory> history; ///< one entry a mesh, coarse to fine
+  std::vector<double> pore_pressure; ///< p at the nodes [Pa], compression positive, < 0 above the
+                                     ///< free surface, shape (n)
+  std::vector<Vec2> flux; ///< Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m)
+  std::vector<Polyline>
+      phreatic_lines; ///< p = 0 inside the soil, from left to right, longest first [m]
+  std::optional<Vec2>
+      exit_point;       ///< where the seepage face ends: its highest wet point, inside its edge [m]
+  double discharge = 0; ///< sum of the inflow reactions [m2/s], > 0
+  double inflow = 0, outflow = 0;     ///< both > 0 [m2/s]
+  double balance = 0;                 ///< |inflow - outflow| / inflow [-]
+  std::vector<double> stretch_inflow; ///< reaction summed over each of the section's stretches
+                                      ///< [m2/s], > 0 into the soil
+  std::vector<SolveHistory> history;  ///< one entry a mesh, coarse to fine
   Seconds seconds;
 };
 
-/// @brief Head or pore pressure at a point by linear interpolation; nothing if outside by more than `max_shift` [m].
-/// A point that lies outside by less takes the value of the nearest point of the mesh. Cost O(m): for a few points only.
-[[nodiscard]] std::optional<double> value_at(const Solution& solution, const std::vector<double>& nodal,
-                                             const Vec2& point, double max_shift);
+/// @brief Head or pore pressure at a point by linear interpolation; nothing if outside by more than
+/// `max_shift` [m]. A point that lies outside by less takes the value of the nearest point of the
+/// mesh. Cost O(m): for a few points only.
+[[nodiscard]] std::optional<double> value_at(const Solution& solution,
+                                             const std::vector<double>& nodal, const Vec2& point,
+                                             double max_shift);
 
 /// @brief Height of the (highest) phreatic line at x [m]; nothing where there is none.
 [[nodiscard]] std::optional<double> phreatic_level(const Solution& solution, double x);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "meshes/triangle_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+/// The discrete flow problem, behind plain arrays in the numbering of the mesh that was given.
+/// Internal to seepage/; solver.cpp implements it with dolfinx and PETSc.
+namespace berm::seepage
+{
+/// Symmetric conductivity tensor [m/s].
+struct ConductivityTensor
+{
+  double xx = 0, xy = 0, yy = 0;
+};
+
+/// Linear elements on one mesh. MPI and PETSc start with the first of these, and end with the
+/// process.
+class FlowOperator
+{
+public:
+  /// @param[in] conductivity  Of each triangle, shape (m).
+  /// @param[in] weight        w of docs/theory.md eq. (2.5) at the nodes, shape (n).
+  /// @param[in] k_min         Relative conductivity far above the free surface [-].
+  FlowOperator(const meshes::TriangleMesh& mesh, std::span<const ConductivityTensor> conductivity,
+               std::span<const double> weight, double k_min);
+  ~FlowOperator();
+  FlowOperator(const FlowOperator&) = delete;
+  FlowOperator& operator=(const FlowOperator&) = delete;
+
+  /// @brief Set eps of docs/theory.md eq. (2.5) in each triangle [m], shape (m).
+  void set_smoothing(std::span<const double> eps);
+
+  /// @brief Water that has to enter at each node for this pressure head [m2/s] (docs/theory.md eq.
+  /// (2.6)).
+  /// @param[in]  p         Pressure head [m], shape (n).
+  /// @param[out] residual  Shape (n).
+  void residual(std::span<const double> p, std::vector<double>& residual);
+
+  /// @brief Solve J(p) correction = right_side for the free nodes; the others keep zero.
+  /// Sparse LU up to 50 000 unknowns, above that GMRES with an algebraic multigrid, and LU where
+  /// that stalls.
+  /// @param[in] fixed  Nonzero where the node has a given pressure, shape (n).
+  /// @throws NotConverged if neither solves.
+  void correction(std::span<const double> p, std::span<const std::uint8_t> fixed,
+                  std::span<const double> right_side, std::vector<double>& correction);
+
+  /// @brief Mean Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m).
+  [[nodiscard]] std::vector<Vec2> flux(std::span<const double> p);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+} // namespace berm::seepage
