@@ -12,11 +12,11 @@ namespace berm
 /// One mistake in what the user gave: where, what, what would be allowed, and a hint.
 struct Mistake
 {
-  std::string key;     ///< path of the key in the case file, e.g. "soil.fill.cohesion_kPa"
-  std::string value;   ///< what was given, as text; empty if nothing was
-  std::string problem; ///< what is wrong, one clause
-  std::string allowed; ///< what is allowed; empty if `problem` says it
-  std::string hint;    ///< what to do next; may be empty
+  std::string key = {};     ///< path of the key in the case file, e.g. "soil.fill.cohesion_kPa"
+  std::string value = {};   ///< what was given, as text; empty if nothing was
+  std::string problem = {}; ///< what is wrong, one clause
+  std::string allowed = {}; ///< what is allowed; empty if `problem` says it
+  std::string hint = {};    ///< what to do next; may be empty
 };
 
 /// The user's input is wrong; carries every mistake that was found. Exit code 2.

@@ -12,12 +12,13 @@
 namespace berm
 {
 using Vec2 = Eigen::Vector2d;
-using Polyline = std::vector<Vec2>; ///< points in order [m]; a polygon when said so (not closed twice)
-using Index = std::int32_t;         ///< index of a particle, node, triangle
+using Polyline =
+    std::vector<Vec2>;      ///< points in order [m]; a polygon when said so (not closed twice)
+using Index = std::int32_t; ///< index of a particle, node, triangle
 
 inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double gravity = 9.81;              ///< [m/s2]
-inline constexpr double water_unit_weight = 9810.0;  ///< gamma_w [N/m3]
+inline constexpr double gravity = 9.81;             ///< [m/s2]
+inline constexpr double water_unit_weight = 9810.0; ///< gamma_w [N/m3]
 
 /// Symmetric stress or strain in plane strain: xz and yz vanish, zz is carried.
 struct SymTensor
@@ -35,7 +36,10 @@ struct SymTensor
 }
 
 /// First invariant [unit of a]: the trace.
-[[nodiscard]] inline double I1(const SymTensor& a) { return a.xx + a.yy + a.zz; }
+[[nodiscard]] inline double I1(const SymTensor& a)
+{
+  return a.xx + a.yy + a.zz;
+}
 
 /// Second invariant of the deviator [unit of a, squared]: s:s / 2.
 [[nodiscard]] inline double J2(const SymTensor& a)

@@ -112,17 +112,17 @@ Analysis analyse(const Case& given, Observer& observer)
   const std::vector<sph::Soil> soils = mechanical(input.soils);
   Stability& stability = analysis.stability.emplace();
 
-  const sph::Discretisation body = timed(
-      analysis, observer, "particles",
-      [&]
-      {
-        stability.free_surface = hydrostatic_surface(input, section);
-        stability.particles = sph::fill(section, input.sph.spacing, input.sph.packing);
-        const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
-        stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
-        set_density(stability.particles, soils, stability.pore_pressure);
-        return sph::discretise(stability.particles, soils, stability.pore_pressure, section);
-      });
+  const sph::Discretisation body =
+      timed(analysis, observer, "particles",
+            [&]
+            {
+              stability.free_surface = hydrostatic_surface(input, section);
+              stability.particles = sph::fill(section, input.sph.spacing, input.sph.packing);
+              const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
+              stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
+              set_density(stability.particles, soils, stability.pore_pressure);
+              return sph::discretise(stability.particles, soils, stability.pore_pressure, section);
+            });
 
   const sph::Settled settled =
       timed(analysis, observer, "settling", [&] { return sph::settle(body, observer); });
@@ -131,9 +131,8 @@ Analysis analyse(const Case& given, Observer& observer)
 
   const auto trial = [&](double factor, Observer& trial_observer)
   {
-    return sph::run_trial(body, settled.state,
-                          sph::reduced_cones(soils, factor, input.sph.cone), factor,
-                          trial_observer);
+    return sph::run_trial(body, settled.state, sph::reduced_cones(soils, factor, input.sph.cone),
+                          factor, trial_observer);
   };
   stability.factor_of_safety =
       timed(analysis, observer, "strength reduction",

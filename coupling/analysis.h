@@ -21,13 +21,13 @@ namespace berm::coupling
 struct Stability
 {
   sph::Particles particles;
-  std::vector<double> pore_pressure;  ///< p_w at the particles [Pa]
-  sph::State settled;                 ///< in elastic equilibrium, displacements set to zero
-  double settlement = 0;              ///< largest displacement while settling [m]
-  Polyline free_surface;              ///< the line of the hydrostatic mode; empty otherwise [m]
+  std::vector<double> pore_pressure; ///< p_w at the particles [Pa]
+  sph::State settled;                ///< in elastic equilibrium, displacements set to zero
+  double settlement = 0;             ///< largest displacement while settling [m]
+  Polyline free_surface;             ///< the line of the hydrostatic mode; empty otherwise [m]
   sph::FactorOfSafety factor_of_safety;
   std::optional<sph::Mechanism> mechanism; ///< of the failing trial
-  double particle_steps = 0;          ///< particles times steps, settling and all trials [-]
+  double particle_steps = 0;               ///< particles times steps, settling and all trials [-]
 };
 
 struct StageSeconds
@@ -46,6 +46,7 @@ struct Analysis
   bool interrupted = false; ///< the user asked to stop; what is here was computed before
 };
 
-/// @brief The straight path: section, seepage, particles, pore pressure, settling, strength reduction, mechanism.
+/// @brief The straight path: section, seepage, particles, pore pressure, settling, strength
+/// reduction, mechanism.
 [[nodiscard]] Analysis analyse(const Case& input, Observer& observer);
 } // namespace berm::coupling

@@ -34,15 +34,17 @@ struct Water
 {
   PorePressureKind pore_pressure = PorePressureKind::none;
   std::optional<double> left_level, right_level; ///< pools [m]
-  Polyline free_surface; ///< hydrostatic: x increasing [m]; empty: the straight line of the pools and toe
+  Polyline free_surface; ///< hydrostatic: x increasing [m]; empty: the straight line of the pools
+                         ///< and toe
 };
 
 struct SphSettings
 {
-  double spacing = 0;            ///< dx [m]; 0: chosen from the section
-  std::string packing = "auto";  ///< "auto", "columns", "lattice"
-  std::string cone = "fitted";   ///< "fitted": cone fitted to Mohr-Coulomb for psi; "paper": Bui et al. 2009 eq. (14)
-  int threads = 0;               ///< 0: as many as OpenMP would take
+  double spacing = 0;           ///< dx [m]; 0: chosen from the section
+  std::string packing = "auto"; ///< "auto", "columns", "lattice"
+  std::string cone = "fitted";  ///< "fitted": cone fitted to Mohr-Coulomb for psi; "paper": Bui et
+                                ///< al. 2009 eq. (14)
+  int threads = 0;              ///< 0: as many as OpenMP would take
 };
 
 struct Output
@@ -55,8 +57,8 @@ struct Output
 struct Case
 {
   std::string title;
-  std::string path;  ///< as given
-  std::string text;  ///< the file, with the effect of --set not in it
+  std::string path;                   ///< as given
+  std::string text;                   ///< the file, with the effect of --set not in it
   std::vector<std::string> overrides; ///< of --set
   meshes::SectionInput section;       ///< pools and marked lines already in it
   std::vector<Soil> soils;            ///< the first covers what no zone covers

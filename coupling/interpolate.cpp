@@ -9,7 +9,10 @@ namespace berm::coupling
 {
 namespace
 {
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vec2& a, const Vec2& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 std::array<Vec2, 3> corners(const meshes::TriangleMesh& mesh, Index t)
 {

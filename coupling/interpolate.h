@@ -10,8 +10,8 @@
 
 namespace berm::coupling
 {
-/// Finds the triangle at a point through uniform bins: some six times faster than a tree of bounding
-/// boxes for 2e5 points, and it never loses a point on the boundary.
+/// Finds the triangle at a point through uniform bins: some six times faster than a tree of
+/// bounding boxes for 2e5 points, and it never loses a point on the boundary.
 class TriangleLocator
 {
 public:
@@ -27,7 +27,8 @@ public:
   };
 
   /// @brief The triangle that holds the point, or the nearest point of the mesh if none does.
-  /// Cost O(1) inside; outside, rings of bins are searched up to `max_shift`, then the triangle is -1.
+  /// Cost O(1) inside; outside, rings of bins are searched up to `max_shift`, then the triangle is
+  /// -1.
   [[nodiscard]] Location locate(const Vec2& point, double max_shift) const;
 
 private:
@@ -38,6 +39,7 @@ private:
   Vec2 lower_{0, 0};
   double bin_size_ = 1;
   Index nx_ = 1, ny_ = 1;
-  std::vector<Index> start_, triangle_; ///< triangles whose bounding box touches a bin, in compressed rows
+  std::vector<Index> start_,
+      triangle_; ///< triangles whose bounding box touches a bin, in compressed rows
 };
 } // namespace berm::coupling

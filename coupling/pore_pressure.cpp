@@ -16,8 +16,8 @@ namespace
 /// Level of a line at x, constant beyond its ends.
 double level_at(const Polyline& line, double x)
 {
-  const auto right = std::find_if(line.begin(), line.end(),
-                                  [x](const Vec2& point) { return point.x() > x; });
+  const auto right =
+      std::find_if(line.begin(), line.end(), [x](const Vec2& point) { return point.x() > x; });
   if (right == line.begin())
     return line.front().y();
   if (right == line.end())
@@ -27,7 +27,8 @@ double level_at(const Polyline& line, double x)
   return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
 }
 
-/// Where a pool's surface meets the ground, seen from its end; the far end of the ground if it never does.
+/// Where a pool's surface meets the ground, seen from its end; the far end of the ground if it
+/// never does.
 Vec2 waterline(const Polyline& ground_from_pool, double level)
 {
   for (std::size_t k = 1; k < ground_from_pool.size(); ++k)
@@ -43,8 +44,8 @@ Vec2 waterline(const Polyline& ground_from_pool, double level)
 Vec2 toe(const Polyline& ground_from_far_end)
 {
   std::size_t k = 0;
-  while (k + 1 < ground_from_far_end.size()
-         && ground_from_far_end[k + 1].y() <= ground_from_far_end[k].y())
+  while (k + 1 < ground_from_far_end.size() &&
+         ground_from_far_end[k + 1].y() <= ground_from_far_end[k].y())
     ++k;
   return ground_from_far_end[k];
 }

@@ -12,8 +12,10 @@
 
 namespace berm::coupling
 {
-/// p_w at points [Pa], compression positive, >= 0 (no suction). One interface for every kind of water.
-using PorePressure = std::function<std::vector<double>(std::span<const double> x, std::span<const double> y)>;
+/// p_w at points [Pa], compression positive, >= 0 (no suction). One interface for every kind of
+/// water.
+using PorePressure =
+    std::function<std::vector<double>(std::span<const double> x, std::span<const double> y)>;
 
 /// @brief Dry soil: zero everywhere.
 [[nodiscard]] PorePressure no_pore_pressure();
@@ -24,12 +26,14 @@ using PorePressure = std::function<std::vector<double>(std::span<const double> x
 [[nodiscard]] PorePressure hydrostatic_pore_pressure(Polyline free_surface);
 
 /// @brief The finite-element pressure, evaluated by barycentric interpolation, max(p, 0).
-/// Points outside the mesh by up to `max_shift` take the nearest element's value at the nearest point.
+/// Points outside the mesh by up to `max_shift` take the nearest element's value at the nearest
+/// point.
 /// @throws InputError naming the worst point if one lies farther out.
-[[nodiscard]] PorePressure seepage_pore_pressure(const seepage::Solution& solution, double max_shift);
+[[nodiscard]] PorePressure seepage_pore_pressure(const seepage::Solution& solution,
+                                                 double max_shift);
 
-/// @brief The straight line that the paper draws: pool level up to the waterline, then straight to the
-/// other pool's waterline or, without one, to the toe of the ground on that side.
-/// Empty if there is no pool.
+/// @brief The straight line that the paper draws: pool level up to the waterline, then straight to
+/// the other pool's waterline or, without one, to the toe of the ground on that side. Empty if
+/// there is no pool.
 [[nodiscard]] Polyline straight_free_surface(const meshes::Section& section);
 } // namespace berm::coupling

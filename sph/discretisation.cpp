@@ -70,13 +70,12 @@ std::vector<SymTensor> gradient_correction(std::span<const double> x, std::span<
   return B;
 }
 
-std::vector<Vec2> pore_pressure_acceleration(const Particles& particles, std::span<const double> p_w,
-                                             double h)
+std::vector<Vec2> pore_pressure_acceleration(const Particles& particles,
+                                             std::span<const double> p_w, double h)
 {
   const CubicSpline W{h};
   const auto n = static_cast<Index>(particles.size());
-  const NeighbourList neighbours =
-      find_neighbours(particles.x, particles.y, n, W.radius());
+  const NeighbourList neighbours = find_neighbours(particles.x, particles.y, n, W.radius());
   const std::vector<SymTensor> B =
       gradient_correction(particles.x, particles.y, particles.volume, neighbours, h);
 
@@ -92,8 +91,8 @@ std::vector<Vec2> pore_pressure_acceleration(const Particles& particles, std::sp
       sx += (p_w[j] - p_w[i]) * gx;
       sy += (p_w[j] - p_w[i]) * gy;
     }
-    acceleration[i] = Vec2{B[i].xx * sx + B[i].xy * sy, B[i].xy * sx + B[i].yy * sy}
-                      / -particles.density[i];
+    acceleration[i] =
+        Vec2{B[i].xx * sx + B[i].xy * sy, B[i].xy * sx + B[i].yy * sy} / -particles.density[i];
   }
   return acceleration;
 }
@@ -121,13 +120,13 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
   d.height = section.y_max - section.y_min;
   d.T0 = d.height * mean_over(particles, [&](std::size_t i)
                               { return std::sqrt(particles.density[i] / moduli(i).G); });
-  d.d_ref = d.height * d.height
-            * mean_over(particles,
-                        [&](std::size_t i)
-                        {
-                          const auto s = static_cast<std::size_t>(particles.soil[i]);
-                          return particles.density[i] * gravity / soils[s].young_modulus;
-                        });
+  d.d_ref = d.height * d.height *
+            mean_over(particles,
+                      [&](std::size_t i)
+                      {
+                        const auto s = static_cast<std::size_t>(particles.soil[i]);
+                        return particles.density[i] * gravity / soils[s].young_modulus;
+                      });
 
   // Step 2: particles and their mirror images, ghosts ordered by source.
   d.ghosts = mirror_ghosts(particles, section, W.radius());
@@ -164,8 +163,8 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
       const double dx = x[i] - x[j], dy = y[i] - y[j], r = std::hypot(dx, dy);
       const double c_j = std::sqrt(moduli(j0).M() / particles.density[j0]);
       d.G.push_back(weighted_gradient(W, dx, dy, V[j]));
-      d.viscosity.push_back(-alpha * 0.5 * (c_i + c_j) * d.h * r
-                            / (W.dW(r) * V[j] * (r * r + 0.01 * d.h * d.h)));
+      d.viscosity.push_back(-alpha * 0.5 * (c_i + c_j) * d.h * r /
+                            (W.dW(r) * V[j] * (r * r + 0.01 * d.h * d.h)));
     }
   }
 

@@ -40,7 +40,8 @@ struct Elastic
 }
 
 /// @brief Fit the cone to Mohr-Coulomb collapse in plane strain, for this flow rule.
-/// No plastic strain along z at collapse, with a = alpha_psi, gives  D = sqrt(1 - 3 a^2) + a sin(phi),
+/// No plastic strain along z at collapse, with a = alpha_psi, gives  D = sqrt(1 - 3 a^2) + a
+/// sin(phi),
 ///   alpha = sin(phi) / (3 D),   k = c cos(phi) / D.   docs/theory.md eq. (4.5), derived there.
 /// psi = phi gives eq. (14) of Bui et al. 2009; psi = 0 gives alpha = sin(phi) / 3, k = c cos(phi).
 /// @param[in] c    Effective cohesion [Pa], >= 0.
@@ -71,8 +72,9 @@ struct Returned
 };
 
 /// @brief Return a trial effective stress to the cone.
-/// Smooth part: sqrt(J2) falls by G dgamma, I1 by 9 K alpha_psi dgamma; past the axis the stress goes
-/// to the apex I1 = k / alpha, which is also the tension cut-off. docs/theory.md eq. (4.6)-(4.8).
+/// Smooth part: sqrt(J2) falls by G dgamma, I1 by 9 K alpha_psi dgamma; past the axis the stress
+/// goes to the apex I1 = k / alpha, which is also the tension cut-off. docs/theory.md eq.
+/// (4.6)-(4.8).
 [[nodiscard]] inline Returned return_to_cone(const SymTensor& trial, const Cone& cone,
                                              const Elastic& e)
 {

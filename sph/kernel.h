@@ -5,8 +5,8 @@
 
 namespace berm::sph
 {
-/// Cubic spline in two dimensions, support 2 h. docs/theory.md eq. (3.1); Monaghan & Lattanzio 1985;
-/// Bui et al. 2009 eq. (4).
+/// Cubic spline in two dimensions, support 2 h. docs/theory.md eq. (3.1); Monaghan & Lattanzio
+/// 1985; Bui et al. 2009 eq. (4).
 struct CubicSpline
 {
   double h; ///< smoothing length [m]

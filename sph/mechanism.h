@@ -10,19 +10,24 @@
 
 namespace berm::sph
 {
-/// How the slope fails, read from the plastic strain of the failing trial.
+/// How the slope fails, read from the velocity in the failing trial.
 struct Mechanism
 {
-  Polyline slip_line;         ///< ridge of the plastic strain from entry (uphill) to exit [m]
-  Vec2 entry{0, 0};           ///< where it meets the ground uphill [m]
-  Vec2 exit{0, 0};            ///< where it meets the ground (or ends) downhill [m]
-  double depth = 0;           ///< largest vertical distance below the ground [m]
-  double volume = 0;          ///< sliding mass [m2 = m3 per m run]
-  std::string kind;           ///< "deep slide" or "surface skin"
-  std::string side;           ///< "left" or "right": where the mass moves to
+  Polyline slip_line; ///< border between moving and resting soil, from entry (uphill) to exit [m]
+  Vec2 entry{0, 0};   ///< where it meets the ground uphill [m]
+  Vec2 exit{0, 0};    ///< where it meets the ground downhill [m]
+  double depth = 0;   ///< largest vertical distance below the ground [m]
+  double volume = 0;  ///< sliding mass [m2 = m3 per m run]
+  std::string kind;   ///< "deep slide" or "surface skin" (depth below four spacings)
+  std::string side;   ///< "left" or "right": where the mass moves to
 };
 
-/// @brief Find the slip line; nothing if the plastic strain shows no connected band.
-[[nodiscard]] std::optional<Mechanism> find_mechanism(const Particles& particles, const State& failing,
-                                                      const meshes::Section& section);
+/// @brief Find the sliding mass and the line on which it slides.
+/// At the end of a failing trial the mass moves nearly as a block while the rest is still: the slip
+/// line is where the speed passes half of the block's, which lies in the middle of the shear band.
+/// Plastic strain would show the same band, but also those that were active before the mechanism
+/// formed. Of several separate masses, the one with the largest momentum is taken.
+/// @return Nothing if no soil moves, or if the moving part never reaches the ground.
+[[nodiscard]] std::optional<Mechanism>
+find_mechanism(const Particles& particles, const State& failing, const meshes::Section& section);
 } // namespace berm::sph

@@ -23,9 +23,7 @@ NeighbourList find_neighbours(std::span<const double> x, std::span<const double>
   const auto cell_of = [&](double value, double low)
   { return static_cast<std::size_t>((value - low) / radius); };
   const auto cell = [&](std::size_t i)
-  {
-    return std::min(cell_of(x[i], *x_lo), nx - 1) * ny + std::min(cell_of(y[i], *y_lo), ny - 1);
-  };
+  { return std::min(cell_of(x[i], *x_lo), nx - 1) * ny + std::min(cell_of(y[i], *y_lo), ny - 1); };
   std::vector<std::size_t> start(nx * ny + 1, 0);
   for (std::size_t i = 0; i < x.size(); ++i)
     ++start[cell(i) + 1];

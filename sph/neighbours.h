@@ -12,7 +12,8 @@ namespace berm::sph
 /// Neighbours of each point in compressed rows, sorted by index, the point itself left out.
 struct NeighbourList
 {
-  std::vector<std::int64_t> begin; ///< row i is index[begin[i]] .. index[begin[i + 1]], shape (n + 1)
+  std::vector<std::int64_t>
+      begin; ///< row i is index[begin[i]] .. index[begin[i + 1]], shape (n + 1)
   std::vector<Index> index;
 
   [[nodiscard]] std::span<const Index> of(Index i) const

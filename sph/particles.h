@@ -12,12 +12,13 @@ namespace berm::sph
 /// in a column from the base up. Structure of arrays, shape (n) each.
 struct Particles
 {
-  std::vector<double> x, y;      ///< reference position [m]
-  std::vector<double> volume;    ///< area of the section that the particle stands for [m2 = m3 per m run]
-  std::vector<double> density;   ///< of the soil with the water in it [kg/m3]
-  std::vector<Index> soil;       ///< index into the list of soils
-  double spacing = 0;            ///< nominal dx [m]
-  std::string packing;           ///< "columns" or "lattice"
+  std::vector<double> x, y; ///< reference position [m]
+  std::vector<double>
+      volume; ///< area of the section that the particle stands for [m2 = m3 per m run]
+  std::vector<double> density; ///< of the soil with the water in it [kg/m3]
+  std::vector<Index> soil;     ///< index into the list of soils
+  double spacing = 0;          ///< nominal dx [m]
+  std::string packing;         ///< "columns" or "lattice"
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };

@@ -68,8 +68,8 @@ private:
   void bisect(double lower, double upper)
   {
     const double middle = 0.5 * (lower + upper);
-    if (attempt(middle) == Outcome::undecided && answer_.reason.empty()
-        && attempt(0.5 * (lower + middle)) == Outcome::undecided && answer_.reason.empty())
+    if (attempt(middle) == Outcome::undecided && answer_.reason.empty() &&
+        attempt(0.5 * (lower + middle)) == Outcome::undecided && answer_.reason.empty())
       answer_.reason = fmt::format("trials at {:.4g} and {:.4g} stayed undecided", middle,
                                    0.5 * (lower + middle));
   }
@@ -98,13 +98,14 @@ private:
     const double left = 1 + std::max(0.0, std::log2((upper - lower) / (2 * settings_.tolerance)));
     const double done = static_cast<double>(answer_.trials.size());
     const double total = done + left;
-    TrialObserver trial_observer(observer_, done / total, (done + 1) / total,
-                                 fmt::format("trial {}: F = {:.4g}, between {:.4g} and {:.4g}",
-                                             done + 1, F, lower, upper));
+    TrialObserver trial_observer(
+        observer_, done / total, (done + 1) / total,
+        fmt::format("trial {}: F = {:.4g}, between {:.4g} and {:.4g}", done + 1, F, lower, upper));
     Trial trial = run_trial_(F, trial_observer);
-    observer_.note(fmt::format("F = {:<7.5g} {:<9} {}; s = {:.2g}, moved {:.3g} m, {} steps, {:.1f} s",
-                               F, to_string(trial.outcome), trial.reason, trial.velocity_measure,
-                               trial.max_displacement, trial.steps, trial.seconds.wall));
+    observer_.note(
+        fmt::format("F = {:<7.5g} {:<9} {}; s = {:.2g}, moved {:.3g} m, {} steps, {:.1f} s", F,
+                    to_string(trial.outcome), trial.reason, trial.velocity_measure,
+                    trial.max_displacement, trial.steps, trial.seconds.wall));
     const Outcome outcome = trial.outcome;
     if (trial.interrupted)
       answer_.reason = "stopped before the bracket was narrow enough";
@@ -162,8 +163,14 @@ std::optional<double> FactorOfSafety::factor() const
   return 0.5 * (*stands + *fails);
 }
 
-const Trial* FactorOfSafety::failing_trial() const { return find_trial(trials, fails); }
-const Trial* FactorOfSafety::standing_trial() const { return find_trial(trials, stands); }
+const Trial* FactorOfSafety::failing_trial() const
+{
+  return find_trial(trials, fails);
+}
+const Trial* FactorOfSafety::standing_trial() const
+{
+  return find_trial(trials, stands);
+}
 
 FactorOfSafety reduce_strength(const RunTrial& run_trial, const SearchSettings& settings,
                                Observer& observer)

@@ -26,21 +26,22 @@ struct Trial
 {
   double factor = 0;
   Outcome outcome = Outcome::undecided;
-  std::string reason;          ///< one clause: which rule decided
-  double time = 0;             ///< simulated [s]
+  std::string reason; ///< one clause: which rule decided
+  double time = 0;    ///< simulated [s]
   long steps = 0;
-  double velocity_measure = 0; ///< s of the last window: mean v_rms T0 / d_ref [-]; docs/theory.md section 6
+  double velocity_measure =
+      0; ///< s of the last window: mean v_rms T0 / d_ref [-]; docs/theory.md section 6
   double max_displacement = 0; ///< since the settled state [m]
   bool interrupted = false;    ///< the user asked to stop
   Seconds seconds;
-  State state;                 ///< at its end
+  State state; ///< at its end
 };
 
 /// What the search is to find, and how closely.
 struct SearchSettings
 {
-  double lower = 0.5, upper = 3.0; ///< where to start; widened if the answer lies outside
-  double tolerance = 0.01;         ///< half the width of the bracket
+  double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
+  double tolerance = 0.01;                   ///< half the width of the bracket
   double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
 };
 
@@ -49,9 +50,11 @@ struct FactorOfSafety
 {
   std::optional<double> stands; ///< largest factor at which the slope stood
   std::optional<double> fails;  ///< smallest factor at which it failed
-  std::vector<Trial> trials;    ///< in the order in which they ran; states kept only where `state_of` says
-  bool complete = false;        ///< bracket no wider than asked, both ends tried, nothing undecided in between
-  std::string reason;           ///< why not complete; empty if it is
+  std::vector<Trial>
+      trials; ///< in the order in which they ran; states kept only where `state_of` says
+  bool complete =
+      false; ///< bracket no wider than asked, both ends tried, nothing undecided in between
+  std::string reason; ///< why not complete; empty if it is
 
   /// Middle of the bracket; nothing unless both ends are known.
   [[nodiscard]] std::optional<double> factor() const;
@@ -64,9 +67,9 @@ struct FactorOfSafety
 using RunTrial = std::function<Trial(double factor, Observer& observer)>;
 
 /// @brief Bracket the factor of safety by bisection, widening where an end contradicts its name.
-/// Every trial must start from the same state, so that the order does not matter. An undecided trial is
-/// never counted as either outcome: the search tries once beside it (a quarter of the bracket below),
-/// and ends incomplete, saying why, if that is undecided too.
+/// Every trial must start from the same state, so that the order does not matter. An undecided
+/// trial is never counted as either outcome: the search tries once beside it (a quarter of the
+/// bracket below), and ends incomplete, saying why, if that is undecided too.
 [[nodiscard]] FactorOfSafety reduce_strength(const RunTrial& run_trial,
                                              const SearchSettings& settings, Observer& observer);
 } // namespace berm::sph

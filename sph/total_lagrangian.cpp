@@ -165,9 +165,9 @@ void TotalLagrangian::check_finite() const
 {
   for (std::size_t i = 0; i < ux_.size(); ++i)
   {
-    const char* field = !std::isfinite(ux_[i] + uy_[i]) ? "displacement"
+    const char* field = !std::isfinite(ux_[i] + uy_[i])            ? "displacement"
                         : !std::isfinite(I1(sig_[i]) + sig_[i].xy) ? "stress"
-                                                                  : nullptr;
+                                                                   : nullptr;
     if (field != nullptr)
       throw NumericalError(fmt::format("{} of particle {} is not finite at t = {:.6g} s (step {})",
                                        field, i, time(), steps_));
@@ -176,8 +176,8 @@ void TotalLagrangian::check_finite() const
 
 State TotalLagrangian::state() const
 {
-  State state{.ux = ux_, .uy = uy_, .vx = {}, .vy = {}, .stress = sig_,
-              .plastic_strain = plastic_strain_};
+  State state{
+      .ux = ux_, .uy = uy_, .vx = {}, .vy = {}, .stress = sig_, .plastic_strain = plastic_strain_};
   for (std::size_t i = 0; i < ux_.size(); ++i)
   {
     state.vx.push_back(v_[i][0]);

@@ -11,8 +11,8 @@
 namespace berm::sph
 {
 /// Steps the soil through time over a frozen discretisation. docs/theory.md section 3.
-/// Gather form: a point's sums are taken by one thread in the list's order, so every bit of the result
-/// is the same for any number of threads.
+/// Gather form: a point's sums are taken by one thread in the list's order, so every bit of the
+/// result is the same for any number of threads.
 class TotalLagrangian
 {
 public:
@@ -48,8 +48,8 @@ private:
   std::vector<Cone> cones_;
   double damping_;
   long steps_ = 0;
-  std::vector<Lanes> v_;     ///< {vx, vx, vy, vy} of particles and ghosts [m/s]
-  std::vector<Lanes> T_;     ///< sigma B, {xx, xy, yx, yy}, of particles and ghosts [Pa]
+  std::vector<Lanes> v_; ///< {vx, vx, vy, vy} of particles and ghosts [m/s]
+  std::vector<Lanes> T_; ///< sigma B, {xx, xy, yx, yy}, of particles and ghosts [Pa]
   std::vector<SymTensor> sig_;
   std::vector<double> ux_, uy_, plastic_strain_;
   std::vector<Vec2> viscous_; ///< acceleration by artificial viscosity [m/s2]

@@ -38,8 +38,12 @@ Settled settle(const Discretisation& d, Observer& observer)
   const auto n = static_cast<std::size_t>(d.n);
   const std::vector<double> zero(n, 0.0);
   TotalLagrangian soil(d, {}, local_damping,
-                       {.ux = zero, .uy = zero, .vx = zero, .vy = zero,
-                        .stress = std::vector<SymTensor>(n), .plastic_strain = zero});
+                       {.ux = zero,
+                        .uy = zero,
+                        .vx = zero,
+                        .vy = zero,
+                        .stress = std::vector<SymTensor>(n),
+                        .plastic_strain = zero});
   double first = 0;
   for (;;)
   {
@@ -56,8 +60,8 @@ Settled settle(const Discretisation& d, Observer& observer)
                                      "{:.3g}, wanted {:.3g}",
                                      time, s, settled_measure));
   }
-  Settled settled{.state = soil.state(), .settlement = soil.max_displacement(),
-                  .steps = soil.steps()};
+  Settled settled{
+      .state = soil.state(), .settlement = soil.max_displacement(), .steps = soil.steps()};
   settled.state.ux = settled.state.uy = settled.state.vx = settled.state.vy = zero;
   return settled;
 }
@@ -79,7 +83,8 @@ Trial run_trial(const Discretisation& d, const State& settled, std::vector<Cone>
                 double factor, Observer& observer)
 {
   const Stopwatch watch;
-  Trial trial{.factor = factor};
+  Trial trial;
+  trial.factor = factor;
   TotalLagrangian soil(d, std::move(cones), local_damping, settled);
   Verdict verdict;
   bool over = false;

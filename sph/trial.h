@@ -15,8 +15,9 @@ namespace berm::sph
 /// The state at rest under its own weight, and what it took to get there.
 struct Settled
 {
-  State state;           ///< displacement and velocity set to zero
-  double settlement = 0; ///< largest displacement on the way [m]; 7-10 times gamma H^2/(2M) marks a bad packing
+  State state; ///< displacement and velocity set to zero
+  double settlement =
+      0; ///< largest displacement on the way [m]; 7-10 times gamma H^2/(2M) marks a bad packing
   long steps = 0;
 };
 
@@ -25,7 +26,8 @@ struct Settled
 /// @throws NotConverged if it does not come to rest; NumericalError on a value that is not finite.
 [[nodiscard]] Settled settle(const Discretisation& discretisation, Observer& observer);
 
-/// @brief Strength reduced by a factor: c and tan(phi) first, then the cone; psi is kept at or below phi_F.
+/// @brief Strength reduced by a factor: c and tan(phi) first, then the cone; psi is kept at or
+/// below phi_F.
 /// @param[in] cone  "fitted" or "paper" (Bui et al. 2009 eq. 14 for every psi).
 [[nodiscard]] std::vector<Cone> reduced_cones(std::span<const Soil> soils, double factor,
                                               const std::string& cone);

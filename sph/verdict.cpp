@@ -12,11 +12,11 @@ namespace
 constexpr double at_rest = 1e-3;
 constexpr double moving = 4e-3;
 constexpr double at_rest_at_the_end = 2e-3;
-constexpr double decaying = 0.97;      // s / s_previous of a slope that comes to rest stays below
-constexpr int windows_to_fail = 3;     // running, none decaying
-constexpr double earliest_stands = 4;  // [T0]
-constexpr double earliest_fails = 7;   // [T0]: before, the jump to the reduced strength still rings
-constexpr double far_gone = 4;         // displacement [d_ref]
+constexpr double decaying = 0.97;     // s / s_previous of a slope that comes to rest stays below
+constexpr int windows_to_fail = 3;    // running, none decaying
+constexpr double earliest_stands = 4; // [T0]
+constexpr double earliest_fails = 7;  // [T0]: before, the jump to the reduced strength still rings
+constexpr double far_gone = 4;        // displacement [d_ref]
 } // namespace
 
 bool Verdict::decide(Outcome outcome, std::string reason)
@@ -43,6 +43,7 @@ bool Verdict::add_window(double time, double s, double displacement)
     return false;
   if (s < at_rest_at_the_end)
     return decide(Outcome::stands, fmt::format("nearly at rest after {:.0f} T0", time));
-  return decide(Outcome::undecided, fmt::format("neither at rest nor growing after {:.0f} T0", time));
+  return decide(Outcome::undecided,
+                fmt::format("neither at rest nor growing after {:.0f} T0", time));
 }
 } // namespace berm::sph

@@ -8,9 +8,9 @@
 namespace berm::sph
 {
 /// Decides from the course of a trial whether the slope stands or fails. docs/theory.md section 6.
-/// The velocity measure s = mean(v_rms) T0 / d_ref over a window of one T0 falls monotonically after a
-/// few T0 when the slope stands, and dips, then grows when it fails. The rules were found by running
-/// each case to a certain end and asking from when on the answer could have been known.
+/// The velocity measure s = mean(v_rms) T0 / d_ref over a window of one T0 falls monotonically
+/// after a few T0 when the slope stands, and dips, then grows when it fails. The rules were found
+/// by running each case to a certain end and asking from when on the answer could have been known.
 class Verdict
 {
 public:

@@ -15,8 +15,14 @@ std::vector<Ghost> mirror_ghosts(const Particles& particles, const meshes::Secti
     const double y = particles.y[static_cast<std::size_t>(i)];
     const double above = y - meshes::base_level(section, x);
     if (above < reach)
-      ghosts.push_back({.source = i, .x = x, .y = y - 2 * above, .sign_vx = -1, .sign_vy = -1,
-                        .sign_sxy = 1, .sign_Bxy = -1, .depth_below = 2 * above});
+      ghosts.push_back({.source = i,
+                        .x = x,
+                        .y = y - 2 * above,
+                        .sign_vx = -1,
+                        .sign_vy = -1,
+                        .sign_sxy = 1,
+                        .sign_Bxy = -1,
+                        .depth_below = 2 * above});
   }
 
   // The sides mirror the soil and the ghosts of the base, so that the corners are filled.
@@ -36,7 +42,8 @@ std::vector<Ghost> mirror_ghosts(const Particles& particles, const meshes::Secti
       ghosts.push_back(g);
     };
     for (Index i = 0; i < n; ++i)
-      mirror({.source = i, .x = particles.x[static_cast<std::size_t>(i)],
+      mirror({.source = i,
+              .x = particles.x[static_cast<std::size_t>(i)],
               .y = particles.y[static_cast<std::size_t>(i)]});
     for (std::size_t g = 0; g < behind_base; ++g)
       mirror(ghosts[g]);
