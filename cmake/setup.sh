@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by run.sh and test.sh: install what is missing, configure the release preset once.
 
 # Name every package of the list that is not installed.
