@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "app/mistakes.h"
+#include "app/toml_document.h"
+#include "core/tensor.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace berm::app
+{
+/// The values of a case file that passed the key table, by their paths: "soil.fill.cohesion_kPa",
+/// "section.zone[1].soil". Units are still the file's. Defaults are filled in.
+class CheckedValues
+{
+public:
+  using Value =
+      std::variant<bool, std::int64_t, double, std::string, std::vector<double>, Polyline>;
+
+  void set(const std::string& path, Value value) { values_[path] = std::move(value); }
+  /// @brief The value, if it is there, right, and of this type.
+  template <typename T>
+  [[nodiscard]] std::optional<T> get(const std::string& path) const
+  {
+    const auto it = values_.find(path);
+    if (it == values_.end() || !std::holds_alternative<T>(it->second))
+      return std::nullopt;
+    return std::get<T>(it->second);
+  }
+  [[nodiscard]] bool has(const std::string& path) const { return values_.contains(path); }
+
+  std::vector<std::string> soils; ///< names, in the file's order
+  std::size_t zones = 0;          ///< number of [[section.zone]]
+  std::size_t boundaries = 0;     ///< number of [[seepage.boundary]]
+
+private:
+  std::map<std::string, Value> values_;
+};
+
+/// @brief Check a document against the key table, each value by itself.
+/// @param[in]     document  The parsed file with --set applied.
+/// @param[in,out] places    Gains the place of every key.
+/// @param[in,out] mistakes  Gains every mistake; what is wrong is left out of the result.
+[[nodiscard]] CheckedValues check_values(const TomlValue& document, KeyPlaces& places,
+                                         std::vector<Mistake>& mistakes);
+} // namespace berm::app

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/case_file.h"
+
+#include "app/case_check.h"
+#include "app/toml_document.h"
+#include "app/version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace berm::app
+{
+namespace
+{
+using coupling::PorePressureKind;
+
+constexpr double radians = pi / 180;
+
+std::string read_text(const std::string& path)
+{
+  constexpr std::size_t most = 16'000'000; // bytes; a case has thousands
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw IoError(path + ": is a directory, not a case file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw IoError(path + ": cannot be opened");
+  std::string text;
+  std::vector<char> block(65536);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
+  {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most)
+      throw IoError(path + ": is larger than 16 MB; not a case file");
+  }
+  if (file.bad())
+    throw IoError(path + ": cannot be read");
+  return text;
+}
+
+/// From checked values to a Case; rules that concern more than one key.
+class Assembler
+{
+public:
+  Assembler(const CheckedValues& values, bool seepage_only, std::vector<Mistake>& mistakes)
+      : values_(values), seepage_only_(seepage_only), mistakes_(mistakes)
+  {
+  }
+
+  coupling::Case assemble()
+  {
+    assemble_water();
+    assemble_soils();
+    assemble_section();
+    assemble_boundaries();
+    assemble_settings();
+    if (drawing_is_readable())
+      check_against_section();
+    return std::move(case_);
+  }
+
+private:
+  double number(const std::string& path, double otherwise) const
+  {
+    return values_.get<double>(path).value_or(otherwise);
+  }
+  void add(Mistake mistake) { mistakes_.push_back(std::move(mistake)); }
+
+  void assemble_water()
+  {
+    const auto kind = values_.get<std::string>("water.pore_pressure").value_or("none");
+    auto& water = case_.water;
+    water.pore_pressure = kind == "seepage"       ? PorePressureKind::seepage
+                          : kind == "hydrostatic" ? PorePressureKind::hydrostatic
+                                                  : PorePressureKind::none;
+    if (seepage_only_)
+      water.pore_pressure = PorePressureKind::seepage;
+    if (water.pore_pressure == PorePressureKind::seepage && !seepage_built_in())
+      add({.key = "water.pore_pressure",
+           .value = "\"seepage\"",
+           .problem = "this build has no seepage stage",
+           .hint = "build berm with -DBERM_WITH_SEEPAGE=ON; \"none\" and \"hydrostatic\" need no "
+                   "such build"});
+    water.free_surface = values_.get<Polyline>("water.free_surface_m").value_or(Polyline{});
+    for (std::size_t i = 1; i < water.free_surface.size(); ++i)
+      if (water.free_surface[i].x() <= water.free_surface[i - 1].x())
+      {
+        add({.key = "water.free_surface_m",
+             .problem = fmt::format("x does not increase from point {} to point {}", i, i + 1)});
+        break;
+      }
+    if (water.pore_pressure == PorePressureKind::none)
+      return;
+    water.left_level = values_.get<double>("water.left_level_m");
+    water.right_level = values_.get<double>("water.right_level_m");
+    if (water.pore_pressure == PorePressureKind::hydrostatic &&
+        !values_.has("water.free_surface_m") && !water.left_level && !water.right_level)
+      add({.key = "water.pore_pressure",
+           .value = "\"hydrostatic\"",
+           .problem = "there is no water",
+           .hint = "give water.free_surface_m, or a pool by water.left_level_m or "
+                   "water.right_level_m"});
+  }
+
+  void assemble_soils()
+  {
+    const bool seepage = case_.water.pore_pressure == PorePressureKind::seepage;
+    for (const std::string& name : values_.soils)
+    {
+      const std::string at = "soil." + name + ".";
+      const auto si = [&](const char* key, double factor)
+      { return number(at + key, NAN) * factor; };
+      coupling::Soil soil;
+      soil.name = name;
+      auto& m = soil.mechanical;
+      m.density = si("unit_weight_kN_m3", 1e3 / gravity);
+      m.saturated_density =
+          number(at + "saturated_unit_weight_kN_m3", m.density * gravity / 1e3) * 1e3 / gravity;
+      if (!values_.has(at + "saturated_unit_weight_kN_m3"))
+        m.saturated_density = m.density;
+      m.cohesion = si("cohesion_kPa", 1e3);
+      m.friction_angle = si("friction_angle_deg", radians);
+      m.dilation_angle = si("dilation_angle_deg", radians);
+      m.young_modulus = si("young_modulus_kPa", 1e3);
+      m.poisson_ratio = si("poisson_ratio", 1);
+      check_soil(at, m);
+      if (const auto k = values_.get<std::vector<double>>(at + "conductivity_m_s"))
+        soil.conductivity =
+            seepage::Conductivity{(*k)[0], (*k)[1], si("conductivity_angle_deg", radians)};
+      else if (seepage && !given(at + "conductivity_m_s"))
+        add({.key = at + "conductivity_m_s",
+             .problem = std::string(missing_key),
+             .hint = "every soil needs one where the pore pressure comes from a seepage solve"});
+      case_.soils.push_back(std::move(soil));
+    }
+  }
+
+  void check_soil(const std::string& at, const sph::Soil& m)
+  {
+    if (m.dilation_angle > m.friction_angle)
+      add({.key = at + "dilation_angle_deg",
+           .value = fmt::format("{}", number(at + "dilation_angle_deg", 0)),
+           .allowed = fmt::format("0 <= dilation_angle_deg <= friction_angle_deg = {}",
+                                  number(at + "friction_angle_deg", 0))});
+    if (m.saturated_density < m.density)
+      add({.key = at + "saturated_unit_weight_kN_m3",
+           .value = fmt::format("{}", number(at + "saturated_unit_weight_kN_m3", 0)),
+           .allowed = fmt::format("saturated_unit_weight_kN_m3 >= unit_weight_kN_m3 = {}",
+                                  number(at + "unit_weight_kN_m3", 0))});
+  }
+
+  void assemble_section()
+  {
+    auto& section = case_.section;
+    const bool outline = given("section.outline_m");
+    const bool ground = given("section.ground_m"), base = given("section.base_m");
+    if (outline && (ground || base))
+      add({.key = "section.outline_m",
+           .problem = "given together with ground_m or base_m",
+           .allowed = "either ground_m and base_m, or outline_m"});
+    else if (!outline && (!ground || !base))
+      add({.key = ground ? "section.base_m" : "section.ground_m",
+           .problem = std::string(missing_key),
+           .allowed = "either ground_m and base_m, or outline_m"});
+    section.ground = values_.get<Polyline>("section.ground_m").value_or(Polyline{});
+    section.outline = values_.get<Polyline>("section.outline_m").value_or(Polyline{});
+    section.base = values_.get<Polyline>("section.base_m").value_or(Polyline{});
+    if (const auto level = values_.get<double>("section.base_m"); level && !section.ground.empty())
+      section.base = {{section.ground.front().x(), *level}, {section.ground.back().x(), *level}};
+    section.left_pool_level = case_.water.left_level;
+    section.right_pool_level = case_.water.right_level;
+    for (std::size_t i = 1; i <= values_.zones; ++i)
+      assemble_zone(fmt::format("section.zone[{}].", i));
+  }
+
+  void assemble_zone(const std::string& at)
+  {
+    meshes::Zone zone;
+    zone.polygon = values_.get<Polyline>(at + "polygon_m").value_or(Polyline{});
+    if (const auto name = values_.get<std::string>(at + "soil"))
+    {
+      const auto& soils = values_.soils;
+      const auto it = std::find(soils.begin(), soils.end(), *name);
+      if (it == soils.end())
+      {
+        const std::vector<std::string_view> known(soils.begin(), soils.end());
+        const std::string_view near = nearest(*name, known);
+        add({.key = at + "soil",
+             .value = "\"" + *name + "\"",
+             .problem = "there is no such soil",
+             .allowed = fmt::format("{}", fmt::join(known, " | ")),
+             .hint = near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
+      }
+      zone.soil = static_cast<Index>(it - soils.begin());
+    }
+    case_.section.zones.push_back(std::move(zone));
+  }
+
+  void assemble_boundaries()
+  {
+    for (std::size_t i = 1; i <= values_.boundaries; ++i)
+    {
+      const std::string at = fmt::format("seepage.boundary[{}].", i);
+      const auto kind = values_.get<std::string>(at + "kind").value_or("");
+      seepage::Boundary boundary;
+      boundary.kind = kind == "head"           ? seepage::BoundaryKind::head
+                      : kind == "seepage_face" ? seepage::BoundaryKind::seepage_face
+                      : kind == "inflow"       ? seepage::BoundaryKind::inflow
+                                               : seepage::BoundaryKind::impervious;
+      boundary.value = number(at + "value", 0);
+      const bool wants_value = kind == "head" || kind == "inflow";
+      if (wants_value && !given(at + "value"))
+        add({.key = at + "value",
+             .problem = std::string(missing_key),
+             .hint = kind == "head" ? "the head in m above y = 0"
+                                    : "the Darcy flux into the soil in m/s"});
+      else if (!kind.empty() && !wants_value && given(at + "value"))
+        add({.key = at + "value",
+             .value = fmt::format("{}", boundary.value),
+             .problem = fmt::format("kind = \"{}\" takes no value", kind)});
+      if (kind == "inflow" && std::abs(boundary.value) > 1)
+        add({.key = at + "value",
+             .value = fmt::format("{}", boundary.value),
+             .allowed = "-1 <= value <= 1 for an inflow in m/s"});
+      case_.marked_boundaries.push_back(boundary);
+      case_.section.marked_lines.push_back(
+          values_.get<Polyline>(at + "line_m").value_or(Polyline{}));
+    }
+    if (case_.water.pore_pressure != PorePressureKind::seepage)
+    {
+      case_.marked_boundaries.clear();
+      case_.section.marked_lines.clear();
+    }
+  }
+
+  void assemble_settings()
+  {
+    const auto text = [this](const char* path) { return *values_.get<std::string>(path); };
+    case_.seepage.element_size = number("seepage.element_size_m", 0);
+    case_.seepage.refined_size = number("seepage.refined_size_m", 0);
+    case_.seepage.adaptive = values_.get<bool>("seepage.adaptive").value_or(true);
+    if (case_.seepage.element_size > 0 && case_.seepage.refined_size > case_.seepage.element_size)
+      add({.key = "seepage.refined_size_m",
+           .value = fmt::format("{}", case_.seepage.refined_size),
+           .allowed =
+               fmt::format("refined_size_m <= element_size_m = {}", case_.seepage.element_size)});
+    case_.sph.spacing = number("sph.spacing_m", 0);
+    if (values_.has("sph.packing"))
+      case_.sph.packing = text("sph.packing");
+    if (values_.has("sph.cone"))
+      case_.sph.cone = text("sph.cone");
+    case_.sph.threads = static_cast<int>(values_.get<std::int64_t>("sph.threads").value_or(0));
+    if (const auto range = values_.get<std::vector<double>>("stability.factor_range"))
+    {
+      case_.search.lower = (*range)[0];
+      case_.search.upper = (*range)[1];
+    }
+    case_.search.tolerance = number("stability.tolerance", case_.search.tolerance);
+    case_.stability = values_.get<bool>("stability.enabled").value_or(true) && !seepage_only_;
+    if (!case_.stability && case_.water.pore_pressure != PorePressureKind::seepage)
+      add({.key = "stability.enabled",
+           .value = "false",
+           .problem = "nothing is left to compute",
+           .hint = "without a seepage solve, the factor of safety is all there is"});
+    case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
+    case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+  }
+
+  /// Nothing that the section is built from is wrong by itself.
+  bool drawing_is_readable() const
+  {
+    return std::none_of(mistakes_.begin(), mistakes_.end(),
+                        [](const Mistake& m)
+                        {
+                          return m.key.starts_with("section") || m.key.starts_with("water") ||
+                                 m.key.starts_with("seepage.boundary");
+                        });
+  }
+
+  /// Rules that need the section; it is built here to find its mistakes together with these.
+  void check_against_section()
+  {
+    meshes::Section section;
+    try
+    {
+      section = meshes::build_section(case_.section);
+    }
+    catch (const InputError& e)
+    {
+      mistakes_.insert(mistakes_.end(), e.mistakes().begin(), e.mistakes().end());
+      return;
+    }
+    check_sizes(section);
+    check_water_enters(section);
+    const Polyline& probes = case_.output.probes;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      if (!meshes::contains(section, probes[i]))
+        add({.key = "output.probes_m",
+             .value = fmt::format("[{}, {}]", probes[i].x(), probes[i].y()),
+             .problem = fmt::format("point {} lies outside the section", i + 1)});
+  }
+
+  /// Coarser than a quarter of the section there is nothing to see; far finer, no memory holds it.
+  void check_sizes(const meshes::Section& section)
+  {
+    constexpr double most = 4e6; // particles or triangles
+    const double area = std::abs(meshes::polygon_area(section.outline));
+    const double extent = std::min(section.x_max - section.x_min, section.y_max - section.y_min);
+    const auto check = [&](const char* key, double size, double per_area)
+    {
+      const double least = std::sqrt(area * per_area / most);
+      if (size > 0 && (size < least || size > extent / 4))
+        add({.key = key,
+             .value = fmt::format("{}", size),
+             .allowed = fmt::format(
+                 "{:.2g} <= {} <= {:.3g} for a section of this size", least,
+                 std::string_view(key).substr(std::string_view(key).find('.') + 1), extent / 4)});
+    };
+    check("sph.spacing_m", case_.sph.spacing, 1);
+    if (case_.water.pore_pressure == PorePressureKind::seepage)
+      check("seepage.element_size_m", case_.seepage.element_size, 2.3);
+  }
+
+  void check_water_enters(const meshes::Section& section)
+  {
+    if (case_.water.pore_pressure != PorePressureKind::seepage)
+      return;
+    const auto& marked = case_.marked_boundaries;
+    const bool head = std::any_of(marked.begin(), marked.end(),
+                                  [](const seepage::Boundary& b)
+                                  { return b.kind == seepage::BoundaryKind::head; });
+    if (!head && !section.left_pool_level && !section.right_pool_level)
+      add({.key = "water.pore_pressure",
+           .value = "\"seepage\"",
+           .problem = "no head is given anywhere",
+           .hint = "give a pool by water.left_level_m or water.right_level_m, or a "
+                   "[[seepage.boundary]] "
+                   "of kind = \"head\""});
+  }
+
+  /// Given, be it right or wrong: a wrong value is reported already.
+  bool given(const std::string& path) const
+  {
+    return values_.has(path) || std::any_of(mistakes_.begin(), mistakes_.end(),
+                                            [&](const Mistake& m) { return m.key == path; });
+  }
+
+  const CheckedValues& values_;
+  bool seepage_only_;
+  std::vector<Mistake>& mistakes_;
+  coupling::Case case_;
+};
+} // namespace
+
+coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
+{
+  const std::string text = read_text(path);
+  TomlValue document = parse_toml(text, path, places);
+  std::vector<Mistake> mistakes = apply_overrides(document, options.overrides, places);
+  const CheckedValues values = check_values(document, places, mistakes);
+  coupling::Case input = Assembler(values, options.seepage_only, mistakes).assemble();
+  if (!mistakes.empty())
+    throw InputError(std::move(mistakes));
+  input.title =
+      values.get<std::string>("title").value_or(std::filesystem::path(path).stem().string());
+  input.path = path;
+  input.text = text;
+  input.overrides = options.overrides;
+  return input;
+}
+} // namespace berm::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "app/mistakes.h"
+#include "coupling/case.h"
+
+#include <string>
+#include <vector>
+
+namespace berm::app
+{
+/// What the command line says about how to read a case.
+struct ReadOptions
+{
+  std::vector<std::string> overrides; ///< of --set, "key=value"
+  bool seepage_only = false;          ///< `berm seepage`: that stage, whatever the file asks for
+};
+
+/// @brief Read and check a case file; SI and radians from here on.
+/// @param[in]  path    The file; "cases/dam.toml".
+/// @param[out] places  Place of every key, for the messages of this and of later stages.
+/// @throws InputError with every mistake that was found; IoError if the file cannot be read.
+[[nodiscard]] coupling::Case read_case(const std::string& path, const ReadOptions& options,
+                                       KeyPlaces& places);
+} // namespace berm::app

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/case_schema.h"
+
+#include <fmt/format.h>
+
+namespace berm::app
+{
+namespace
+{
+constexpr Range coordinate{-1e5, 1e5}; // [m]
+constexpr Range length{1e-3, 1e4};     // [m]
+using enum Presence;
+using enum ValueType;
+
+// Angles stop short of 90 degrees and nu short of 0.5: tan(phi) and the bulk modulus go to
+// infinity.
+const std::vector<Key> table = {
+    {.path = "format",
+     .type = integer,
+     .range = {1, 1},
+     .sentence = "Version of the case file's format."},
+    {.path = "title",
+     .type = text,
+     .presence = optional,
+     .otherwise = "the file's name",
+     .sentence = "What the case is, for reports and figures."},
+
+    {.path = "section.ground_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "`outline_m` is given",
+     .sentence = "Ground surface from left to right; vertical steps are allowed."},
+    {.path = "section.base_m",
+     .unit = "m",
+     .type = level_or_polyline,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "`outline_m` is given",
+     .sentence = "Rigid, impervious base: a level, or a line over the ground's range of x."},
+    {.path = "section.outline_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .least_points = 3,
+     .presence = optional,
+     .otherwise = "`ground_m` and `base_m` are given",
+     .sentence = "Closed outline of the section, in place of `ground_m` and `base_m`."},
+    {.path = "section.zone[].soil",
+     .type = text,
+     .sentence = "Name of the soil that fills the zone; a later zone covers an earlier one."},
+    {.path = "section.zone[].polygon_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .least_points = 3,
+     .sentence = "Outline of the zone; what lies outside the section is ignored."},
+
+    {.path = "soil.*.unit_weight_kN_m3",
+     .unit = "kN/m3",
+     .type = number,
+     .range = {1, 100},
+     .sentence = "Unit weight above the water."},
+    {.path = "soil.*.saturated_unit_weight_kN_m3",
+     .unit = "kN/m3",
+     .type = number,
+     .range = {1, 100},
+     .presence = optional,
+     .otherwise = "the same as `unit_weight_kN_m3`",
+     .sentence = "Unit weight below the water, the water in it included."},
+    {.path = "soil.*.cohesion_kPa",
+     .unit = "kPa",
+     .type = number,
+     .range = {0, 1e6},
+     .sentence = "Effective cohesion."},
+    {.path = "soil.*.friction_angle_deg",
+     .unit = "deg",
+     .type = number,
+     .range = {.lower = 0, .upper = 90, .upper_open = true},
+     .sentence = "Effective angle of internal friction."},
+    {.path = "soil.*.dilation_angle_deg",
+     .unit = "deg",
+     .type = number,
+     .range = {.lower = 0, .upper = 90, .upper_open = true},
+     .sentence = "Angle of dilation, at most the friction angle."},
+    {.path = "soil.*.young_modulus_kPa",
+     .unit = "kPa",
+     .type = number,
+     .range = {1, 1e9},
+     .sentence = "Young's modulus."},
+    {.path = "soil.*.poisson_ratio",
+     .unit = "-",
+     .type = number,
+     .range = {.lower = 0, .upper = 0.5, .upper_open = true},
+     .sentence = "Poisson's ratio."},
+    {.path = "soil.*.conductivity_m_s",
+     .unit = "m/s",
+     .type = conductivity,
+     .range = {1e-16, 1e2},
+     .presence = optional,
+     .otherwise = "required where seepage is asked for",
+     .sentence = "Saturated hydraulic conductivity: a number, or the principal values `[kx, ky]`."},
+    {.path = "soil.*.conductivity_angle_deg",
+     .unit = "deg",
+     .type = number,
+     .range = {-180, 180},
+     .presence = defaulted,
+     .otherwise = "0.0",
+     .sentence = "Turns the axes of `[kx, ky]` from x, counter-clockwise."},
+
+    {.path = "water.pore_pressure",
+     .type = choice,
+     .choices = {"none", "hydrostatic", "seepage"},
+     .sentence =
+         "`none`: dry, pools are left out of account; `hydrostatic`: unit weight of water times "
+         "the vertical depth below `free_surface_m`; `seepage`: from a steady unconfined "
+         "seepage solve."},
+    {.path = "water.left_level_m",
+     .unit = "m",
+     .type = number,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "no pool",
+     .sentence = "Level of the pool on the ground at the left end."},
+    {.path = "water.right_level_m",
+     .unit = "m",
+     .type = number,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "no pool",
+     .sentence = "Level of the pool on the ground at the right end."},
+    {.path = "water.free_surface_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "the straight line from waterline to waterline or toe",
+     .sentence = "Free surface of the hydrostatic mode, x increasing; its level goes on beyond its "
+                 "ends."},
+
+    {.path = "seepage.boundary[].line_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .sentence = "Part of the outline that is neither a pool, nor open ground, nor impervious."},
+    {.path = "seepage.boundary[].kind",
+     .type = choice,
+     .choices = {"head", "seepage_face", "inflow", "impervious"},
+     .sentence =
+         "`head`: given head; `seepage_face`: water may leave at p = 0; `inflow`: given flux; "
+         "`impervious`: no flow."},
+    {.path = "seepage.boundary[].value",
+     .unit = "m or m/s",
+     .type = number,
+     .range = coordinate,
+     .presence = optional,
+     .otherwise = "required for `head` and `inflow`, not allowed for the others",
+     .sentence = "Head in m above y = 0, or Darcy flux into the soil in m/s."},
+    {.path = "seepage.element_size_m",
+     .unit = "m",
+     .type = number,
+     .range = length,
+     .presence = optional,
+     .otherwise = "chosen from the section",
+     .sentence = "Edge length of the triangles away from the free surface."},
+    {.path = "seepage.refined_size_m",
+     .unit = "m",
+     .type = number,
+     .range = length,
+     .presence = optional,
+     .otherwise = "an eighth of the element size",
+     .sentence = "Edge length along the free surface when `adaptive`."},
+    {.path = "seepage.adaptive",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "true",
+     .sentence = "Solve coarse, refine along the free surface, solve again."},
+
+    {.path = "sph.spacing_m",
+     .unit = "m",
+     .type = number,
+     .range = length,
+     .presence = optional,
+     .otherwise = "chosen from the section",
+     .sentence = "Distance between particles."},
+    {.path = "sph.packing",
+     .type = choice,
+     .choices = {"auto", "columns", "lattice"},
+     .presence = defaulted,
+     .otherwise = "\"auto\"",
+     .sentence =
+         "`columns`: columns that end at the ground; `lattice`: a square lattice cut by the "
+         "outline; `auto`: columns where the section allows them."},
+    {.path = "sph.cone",
+     .type = choice,
+     .choices = {"fitted", "paper"},
+     .presence = defaulted,
+     .otherwise = "\"fitted\"",
+     .sentence =
+         "Drucker-Prager cone, `fitted` to Mohr-Coulomb collapse in plane strain at the given "
+         "dilation, or as in the `paper` (Bui et al. 2009, eq. 14), which is weaker."},
+    {.path = "sph.threads",
+     .type = integer,
+     .range = {0, 1024},
+     .presence = defaulted,
+     .otherwise = "0",
+     .sentence =
+         "Threads of the particle loops, 0 for one on each processor; no result depends on it."},
+
+    {.path = "stability.enabled",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "true",
+     .sentence = "Whether to look for the factor of safety after the seepage solve."},
+    {.path = "stability.factor_range",
+     .unit = "-",
+     .type = interval,
+     .range = {0.05, 20},
+     .presence = defaulted,
+     .otherwise = "[0.5, 3.0]",
+     .sentence = "Where to start looking; widened if the answer lies outside."},
+    {.path = "stability.tolerance",
+     .unit = "-",
+     .type = number,
+     .range = {1e-4, 1},
+     .presence = defaulted,
+     .otherwise = "0.01",
+     .sentence = "Half the width of the final bracket of the factor of safety."},
+
+    {.path = "output.probes_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .least_points = 1,
+     .presence = optional,
+     .otherwise = "none",
+     .sentence = "Points at which the report gives head and pore pressure of the seepage solve."},
+    {.path = "output.figures",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "true",
+     .sentence =
+         "Whether to draw figures beside the results, where Python with matplotlib is there."},
+};
+
+std::string range_text(const Range& range, std::string_view name)
+{
+  if (range.lower == range.upper)
+    return fmt::format("{} = {}", name, range.lower);
+  return fmt::format("{} {} {} {} {}", range.lower, range.lower_open ? "<" : "<=", name,
+                     range.upper_open ? "<" : "<=", range.upper);
+}
+} // namespace
+
+std::span<const Key> keys()
+{
+  return table;
+}
+
+std::string_view last_part(std::string_view path)
+{
+  return path.substr(path.rfind('.') + 1); // npos + 1 is 0: the whole path
+}
+
+std::string allowed_text(const Key& key)
+{
+  const std::string_view name = last_part(key.path);
+  switch (key.type)
+  {
+  case text:
+    return "a line of text in quotes, at most 200 characters";
+  case choice:
+  {
+    std::string names;
+    for (const std::string_view c : key.choices)
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : " | ", c);
+    return names;
+  }
+  case number:
+    return range_text(key.range, name);
+  case integer:
+    return "a whole number, " + range_text(key.range, name);
+  case boolean:
+    return "true | false";
+  case points:
+    return fmt::format("[[x, y], ...], at least {} {}, {}", key.least_points,
+                       key.least_points == 1 ? "point" : "points", range_text(key.range, "x, y"));
+  case level_or_polyline:
+    return fmt::format("a level or [[x, y], ...], {}", range_text(key.range, "x, y"));
+  case conductivity:
+    return fmt::format("a number or [kx, ky], {}", range_text(key.range, "k"));
+  case interval:
+    return fmt::format("[lower, upper], {} <= lower < upper <= {}", key.range.lower,
+                       key.range.upper);
+  }
+  return {};
+}
+} // namespace berm::app

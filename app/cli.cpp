@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/cli.h"
+
+#include "app/case_file.h"
+#include "app/case_schema.h"
+#include "app/console.h"
+#include "app/figures.h"
+#include "app/report.h"
+#include "app/run_writer.h"
+#include "app/version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+
+namespace berm::app
+{
+namespace
+{
+/// What `berm run` and `berm seepage` are told.
+struct RunOptions
+{
+  std::string case_path;
+  ReadOptions read;
+  std::string out; ///< empty: default_directory
+  bool quiet = false;
+  int threads = 0; ///< 0: what the case says
+};
+
+int run_case(const RunOptions& options, KeyPlaces& places)
+{
+  const coupling::Case input = read_case(options.case_path, options.read, places);
+  const std::filesystem::path directory = options.out.empty() ? default_directory(options.case_path)
+                                                              : std::filesystem::path(options.out);
+  prepare_directory(directory);
+  if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
+    omp_set_num_threads(threads);
+
+  catch_stop_signals();
+  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet);
+  const coupling::Analysis analysis = coupling::analyse(input, console);
+
+  write_run(directory, input, analysis);
+  if (input.output.figures && !analysis.interrupted)
+  {
+    console.stage("figures");
+    if (const std::string problem = draw_figures(directory); !problem.empty())
+      console.warn("no figures: " + problem);
+  }
+  if (!options.quiet)
+    std::cout << report(input, analysis, console.warnings()) << "\nResults in "
+              << directory.string() << "\n";
+  const bool found = !analysis.stability || analysis.stability->factor_of_safety.complete;
+  return found && !analysis.interrupted ? exit_ok : exit_no_answer;
+}
+
+int check_case(const RunOptions& options, KeyPlaces& places)
+{
+  const coupling::Case input = read_case(options.case_path, options.read, places);
+  std::cout << summary(input, meshes::build_section(input.section)) << "\n"
+            << options.case_path << ": no mistakes\n";
+  return exit_ok;
+}
+
+void add_case_options(CLI::App& command, RunOptions& options)
+{
+  command
+      .add_option("CASE", options.case_path, "Case file (TOML); `berm reference` lists its keys")
+      ->required();
+  command
+      .add_option("--set", options.read.overrides,
+                  "Replace or add a key of the case file; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_run_options(CLI::App& command, RunOptions& options)
+{
+  add_case_options(command, options);
+  command
+      .add_option("--out", options.out,
+                  "Directory for the results [results/<case's folder>_<case's name>]")
+      ->type_name("DIR");
+  command.add_flag("--quiet", options.quiet, "Print mistakes and errors only");
+  command
+      .add_option("--threads", options.threads, "Threads of the particle loops [all processors]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+} // namespace
+
+int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
+{
+  CLI::App app("berm: how safe is this embankment, with the water where it really is?", "berm");
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", version());
+  app.footer("Start with:  berm run cases/two_sided_embankment/hydrostatic.toml\n"
+             "Exit codes:  0 ok, 1 bug in berm, 2 bad input, 3 no answer (not converged, "
+             "undecided, stopped), "
+             "4 files");
+  RunOptions options;
+  CLI::App* run = app.add_subcommand("run", "Run all stages that a case asks for");
+  add_run_options(*run, options);
+  CLI::App* seepage = app.add_subcommand("seepage", "Run the seepage stage of a case alone");
+  add_run_options(*seepage, options);
+  CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
+  add_case_options(*check, options);
+  CLI::App* reference =
+      app.add_subcommand("reference", "Print the table of case file keys (Markdown)");
+  CLI::App* print_version =
+      app.add_subcommand("version", "Print version, commit, compiler and libraries");
+
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? exit_ok : exit_bad_input;
+  }
+
+  int code = exit_ok;
+  options.read.seepage_only = seepage->parsed();
+  if (run->parsed() || seepage->parsed())
+    code = run_case(options, places);
+  else if (check->parsed())
+    code = check_case(options, places);
+  else if (reference->parsed())
+    std::cout << case_reference();
+  else if (print_version->parsed())
+    std::cout << version_text();
+  else
+    std::cout << app.help();
+  if (!std::cout.flush())
+    throw IoError("standard output cannot be written");
+  return code;
+}
+} // namespace berm::app

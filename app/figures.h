@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace berm::app
+{
+/// @brief Draw seepage.png, slip.png and trials.png beside the results (docs/plots/figures.py).
+/// @return Empty if it went well; else one clause on why there are no figures.
+[[nodiscard]] std::string draw_figures(const std::filesystem::path& directory);
+} // namespace berm::app

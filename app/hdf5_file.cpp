@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/hdf5_file.h"
+
+#include "core/error.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace berm::app
+{
+static_assert(std::is_same_v<hid_t, std::int64_t>, "Hdf5File keeps HDF5's handles as int64");
+
+namespace
+{
+/// A handle that closes itself.
+class Handle
+{
+public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle()
+  {
+    if (id_ >= 0)
+      close_(id_);
+  }
+  [[nodiscard]] hid_t id() const { return id_; }
+  [[nodiscard]] bool ok() const { return id_ >= 0; }
+
+private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+bool attach(hid_t object, const char* name, hid_t type, const void* value)
+{
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  return attribute.ok() && H5Awrite(attribute.id(), type, value) >= 0;
+}
+
+bool attach_text(hid_t object, const char* name, const std::string& text)
+{
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  // Length 0 is not a type; one more than the text is.
+  H5Tset_size(type.id(), text.size() + 1);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return attach(object, name, type.id(), text.c_str());
+}
+} // namespace
+
+Hdf5File::Hdf5File(const std::string& path) : path_(path)
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are told by exceptions
+  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file_ < 0)
+    fail("cannot be made");
+}
+
+Hdf5File::~Hdf5File()
+{
+  if (file_ >= 0)
+    H5Fclose(file_);
+}
+
+void Hdf5File::close()
+{
+  const bool good = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  const bool closed = H5Fclose(file_) >= 0;
+  file_ = -1;
+  if (!good || !closed)
+    fail("cannot be written; is the disk full?");
+}
+
+void Hdf5File::write(const std::string& path, std::span<const double> values, std::size_t columns,
+                     const Label& label)
+{
+  write_any(path, values.data(), values.size(), columns, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, label);
+}
+
+void Hdf5File::write(const std::string& path, std::span<const std::int32_t> values,
+                     std::size_t columns, const Label& label)
+{
+  write_any(path, values.data(), values.size(), columns, H5T_STD_I32LE, H5T_NATIVE_INT32, label);
+}
+
+void Hdf5File::write_any(const std::string& path, const void* values, std::size_t count,
+                         std::size_t columns, std::int64_t stored, std::int64_t in_memory,
+                         const Label& label)
+{
+  const std::array<hsize_t, 2> shape{count / columns, columns};
+  const Handle space(H5Screate_simple(columns == 1 ? 1 : 2, shape.data(), nullptr), H5Sclose);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.id(), 1);
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(layout.id(), false); // equal runs give equal files
+  const Handle set(
+      H5Dcreate2(file_, path.c_str(), stored, space.id(), links.id(), layout.id(), H5P_DEFAULT),
+      H5Dclose);
+  const bool written = set.ok() && (count == 0 || H5Dwrite(set.id(), in_memory, H5S_ALL, H5S_ALL,
+                                                           H5P_DEFAULT, values) >= 0);
+  if (!written || !attach_text(set.id(), "unit", label.unit) ||
+      !attach_text(set.id(), "long_name", label.long_name))
+    fail("data set " + path + " cannot be written");
+}
+
+void Hdf5File::attribute(const std::string& path, const char* name, double value)
+{
+  const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object.ok() || !attach(object.id(), name, H5T_NATIVE_DOUBLE, &value))
+    fail("attribute " + path + ":" + name + " cannot be written");
+}
+
+void Hdf5File::attribute(const std::string& path, const char* name, const std::string& value)
+{
+  const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object.ok() || !attach_text(object.id(), name, value))
+    fail("attribute " + path + ":" + name + " cannot be written");
+}
+
+void Hdf5File::fail(const std::string& what) const
+{
+  throw IoError(path_ + ": " + what);
+}
+} // namespace berm::app

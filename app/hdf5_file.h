@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace berm::app
+{
+/// A new HDF5 file, written by one process (HDF5 is used here only). Groups in a path are made as
+/// needed. Every data set says its unit and its long name.
+class Hdf5File
+{
+public:
+  /// @throws IoError if the file cannot be made.
+  explicit Hdf5File(const std::string& path);
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+  ~Hdf5File();
+
+  struct Label
+  {
+    const char* unit;      ///< "m", "Pa", "-"
+    const char* long_name; ///< what it is, with its sign convention if it has one
+  };
+  /// @brief Write rows of `columns` values each; shape (n) if `columns` is 1, else (n, columns).
+  void write(const std::string& path, std::span<const double> values, std::size_t columns,
+             const Label& label);
+  void write(const std::string& path, std::span<const std::int32_t> values, std::size_t columns,
+             const Label& label);
+
+  /// @brief Attach a number or a text to a group or, with path "/", to the file.
+  void attribute(const std::string& path, const char* name, double value);
+  void attribute(const std::string& path, const char* name, const std::string& value);
+
+  /// @brief Write everything out; called last.
+  /// @throws IoError if that fails, e.g. on a full disk.
+  void close();
+
+private:
+  void write_any(const std::string& path, const void* values, std::size_t count,
+                 std::size_t columns, std::int64_t stored, std::int64_t in_memory,
+                 const Label& label);
+  [[noreturn]] void fail(const std::string& what) const;
+
+  std::string path_;
+  std::int64_t file_ = -1; ///< hid_t
+};
+} // namespace berm::app

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/report.h"
+
+#include "app/result_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace berm::app
+{
+namespace
+{
+constexpr double seconds_per_day = 86400;
+
+/// Gathers lines: a heading, then rows of a label and a text.
+class Page
+{
+public:
+  void heading(std::string_view text) { text_ += fmt::format("\n{}\n", text); }
+  void row(std::string_view label, std::string_view text)
+  {
+    text_ += fmt::format("  {:<16}  {}\n", label, text);
+  }
+  template <typename... Args>
+  void line(fmt::format_string<Args...> format, Args&&... args)
+  {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    text_ += '\n';
+  }
+  std::string text_;
+};
+
+std::string point_text(const Vec2& p)
+{
+  return fmt::format("({:.2f}, {:.2f})", p.x(), p.y());
+}
+
+std::string water_text(const coupling::Case& input, const meshes::Section& section)
+{
+  std::string text;
+  switch (input.water.pore_pressure)
+  {
+  case coupling::PorePressureKind::none:
+    return "none: the soil is dry";
+  case coupling::PorePressureKind::hydrostatic:
+    text = input.water.free_surface.empty() ? "hydrostatic below the straight line"
+                                            : "hydrostatic below the given line";
+    break;
+  case coupling::PorePressureKind::seepage:
+    text = "steady seepage";
+    break;
+  }
+  if (section.left_pool_level)
+    text += fmt::format("; left pool at {:g} m", *section.left_pool_level);
+  if (section.right_pool_level)
+    text += fmt::format("; right pool at {:g} m", *section.right_pool_level);
+  return text;
+}
+
+void add_scene(Page& page, const coupling::Case& input, const meshes::Section& section)
+{
+  page.line("{}", input.title);
+  page.line("{}", std::string(input.title.size(), '='));
+  page.row("section", fmt::format("{:g} m x {:g} m, {:.6g} m2", section.x_max - section.x_min,
+                                  section.y_max - section.y_min,
+                                  std::abs(meshes::polygon_area(section.outline))));
+  page.row("water", water_text(input, section));
+  for (const std::string& text : input.overrides)
+    page.row("set", text);
+}
+
+void add_phreatic_line(Page& page, const seepage::Solution& solution)
+{
+  if (solution.phreatic_lines.empty())
+  {
+    page.row("phreatic line", "none inside the soil");
+    return;
+  }
+  const Polyline& line = solution.phreatic_lines.front();
+  const auto [left, right] = std::minmax_element(
+      line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  std::string x_row = "x [m]", y_row = "y [m]";
+  for (const double x : round_positions(left->x(), right->x()))
+    if (const auto y = seepage::phreatic_level(solution, x))
+    {
+      x_row += fmt::format("{:>9.6g}", x);
+      y_row += fmt::format("{:>9.2f}", *y);
+    }
+  page.row("phreatic line", x_row);
+  page.row("", y_row);
+}
+
+void add_seepage(Page& page, const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  const seepage::Solution& s = *analysis.seepage;
+  page.heading("Seepage");
+  std::string q =
+      fmt::format("{:.4g} m2/s = {:.4g} m3/day per m", s.discharge, s.discharge * seconds_per_day);
+  if (const auto q_over_k = discharge_over_k(input, analysis))
+    q += fmt::format(", q/k = {:.4f} m", *q_over_k);
+  page.row("discharge", q);
+  page.row("water balance",
+           fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
+  page.row("exit point",
+           s.exit_point ? point_text(*s.exit_point) : "none: the seepage face is dry");
+  add_phreatic_line(page, s);
+  for (const Probe& p : probes(input, analysis))
+    page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",
+                                  point_text(p.at), p.head, p.pore_pressure / 1e3));
+  int steps = 0;
+  for (const seepage::SolveHistory& h : s.history)
+    steps += h.newton_steps;
+  page.row("mesh", fmt::format("{} nodes, {} triangles; {} Newton steps on {} {}",
+                               s.mesh.nodes.size(), s.mesh.triangles.size(), steps,
+                               s.history.size(), s.history.size() == 1 ? "mesh" : "meshes"));
+}
+
+void add_mechanism(Page& page, const std::optional<sph::Mechanism>& mechanism)
+{
+  if (!mechanism)
+  {
+    page.row("slip surface", "none found in the plastic strain");
+    return;
+  }
+  page.row("slip surface",
+           fmt::format("{} to the {}: enters {}, leaves {}", mechanism->kind, mechanism->side,
+                       point_text(mechanism->entry), point_text(mechanism->exit)));
+  page.row("", fmt::format("depth {:.2f} m, volume {:.4g} m3 per m", mechanism->depth,
+                           mechanism->volume));
+}
+
+void add_stability(Page& page, const coupling::Stability& s, bool seepage_only)
+{
+  if (seepage_only)
+    return;
+  page.heading("Stability");
+  page.row("factor of safety", factor_text(s.factor_of_safety));
+  if (s.factor_of_safety.fails)
+    add_mechanism(page, s.mechanism);
+  page.row("particles", fmt::format("{} at {:g} m, packed in {}", s.particles.size(),
+                                    s.particles.spacing, s.particles.packing));
+  if (s.factor_of_safety.trials.empty())
+    return;
+  page.line("\n  {:>8}  {:<9}  {:>8}  {:>7}  {:>14}  why", "factor", "outcome", "time [s]", "steps",
+            "moved by [m]");
+  for (const sph::Trial& t : s.factor_of_safety.trials)
+    page.line("  {:>8.4f}  {:<9}  {:>8.2f}  {:>7}  {:>14.4g}  {}", t.factor,
+              t.interrupted ? "stopped" : sph::to_string(t.outcome), t.time, t.steps,
+              t.max_displacement, t.reason);
+}
+
+void add_times(Page& page, const coupling::Analysis& analysis)
+{
+  page.line("\n{:<20}{:>10}{:>10}", "Stage", "wall [s]", "CPU [s]");
+  Seconds sum;
+  for (const coupling::StageSeconds& stage : analysis.stages)
+  {
+    page.line("  {:<18}{:>10.2f}{:>10.2f}", stage.stage, stage.seconds.wall, stage.seconds.cpu);
+    sum.wall += stage.seconds.wall;
+    sum.cpu += stage.seconds.cpu;
+  }
+  page.line("  {:<18}{:>10.2f}{:>10.2f}", "all", sum.wall, sum.cpu);
+  if (const auto rate = particle_steps_per_cpu_second(analysis))
+    page.line("  {:.3g} particle steps per CPU second", *rate);
+}
+} // namespace
+
+std::vector<double> round_positions(double lower, double upper)
+{
+  if (!(upper > lower))
+    return {lower};
+  // The coarsest round step that gives at least five positions; one finer gives at most twice as
+  // many.
+  const double decade = std::pow(10, std::floor(std::log10(upper - lower)));
+  std::vector<double> positions;
+  for (const double step : {decade, decade / 2, decade / 5, decade / 10})
+  {
+    positions.clear();
+    const auto first = static_cast<long>(std::ceil(lower / step * (1 - 1e-12)));
+    for (long i = first; static_cast<double>(i) * step <= upper; ++i)
+      positions.push_back(static_cast<double>(i) * step);
+    if (positions.size() >= 5)
+      break;
+  }
+  if (positions.size() > 8) // every other one
+    for (std::size_t i = 1; i < positions.size(); ++i)
+      positions.erase(positions.begin() + static_cast<std::ptrdiff_t>(i));
+  return positions;
+}
+
+std::string factor_text(const sph::FactorOfSafety& factor)
+{
+  std::string bracket;
+  if (factor.stands)
+    bracket += fmt::format("stands at {:.3f}", *factor.stands);
+  if (factor.fails)
+    bracket += fmt::format("{}fails at {:.3f}", bracket.empty() ? "" : ", ", *factor.fails);
+  if (factor.complete && factor.factor())
+    return fmt::format("F = {:.3f} ({})", *factor.factor(), bracket);
+  return fmt::format("UNDECIDED: {}{}{}", factor.reason,
+                     factor.reason.empty() || bracket.empty() ? "" : "; ",
+                     bracket.empty() ? "no trial was decided" : bracket);
+}
+
+std::string report(const coupling::Case& input, const coupling::Analysis& analysis,
+                   const std::vector<std::string>& warnings)
+{
+  Page page;
+  page.text_ = "\n";
+  add_scene(page, input, analysis.section);
+  if (analysis.seepage)
+    add_seepage(page, input, analysis);
+  if (analysis.stability)
+    add_stability(page, *analysis.stability, !input.stability);
+  add_times(page, analysis);
+  if (!warnings.empty())
+    page.heading("Warnings");
+  for (const std::string& text : warnings)
+    page.line("  {}", text);
+  if (analysis.interrupted)
+    page.line("\nStopped on request: these results are not complete.");
+  return page.text_;
+}
+
+std::string summary(const coupling::Case& input, const meshes::Section& section)
+{
+  Page page;
+  add_scene(page, input, section);
+  for (const coupling::Soil& soil : input.soils)
+  {
+    const sph::Soil& m = soil.mechanical;
+    std::string text = fmt::format(
+        "{}: {:g} kN/m3, c = {:g} kPa, phi = {:g} deg, psi = {:g} deg, E = {:g} kPa, "
+        "nu = {:g}",
+        soil.name, m.density * gravity / 1e3, m.cohesion / 1e3, m.friction_angle * 180 / pi,
+        m.dilation_angle * 180 / pi, m.young_modulus / 1e3, m.poisson_ratio);
+    if (soil.conductivity && soil.conductivity->kx == soil.conductivity->ky)
+      text += fmt::format(", k = {:g} m/s", soil.conductivity->kx);
+    else if (soil.conductivity)
+      text += fmt::format(", k = [{:g}, {:g}] m/s", soil.conductivity->kx, soil.conductivity->ky);
+    page.row("soil", text);
+  }
+  std::string stages =
+      input.water.pore_pressure == coupling::PorePressureKind::seepage ? "seepage" : "";
+  if (input.stability)
+    stages += stages.empty() ? "stability" : ", stability";
+  page.row("stages", stages);
+  return page.text_;
+}
+} // namespace berm::app

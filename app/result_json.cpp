@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/result_json.h"
+
+#include "app/version.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace berm::app
+{
+namespace
+{
+Json point(const Vec2& p)
+{
+  return Json::array({p.x(), p.y()});
+}
+
+Json points(const Polyline& line)
+{
+  Json list = Json::array();
+  for (const Vec2& p : line)
+    list.push_back(point(p));
+  return list;
+}
+
+template <typename T>
+Json or_null(const std::optional<T>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json seconds(const Seconds& s)
+{
+  return {{"wall", s.wall}, {"cpu", s.cpu}};
+}
+
+Json section_json(const meshes::Section& s)
+{
+  return {{"x_min_m", s.x_min},
+          {"x_max_m", s.x_max},
+          {"y_min_m", s.y_min},
+          {"y_max_m", s.y_max},
+          {"area_m2", std::abs(meshes::polygon_area(s.outline))},
+          {"outline_m", points(s.outline)},
+          {"ground_m", points(s.ground)},
+          {"left_level_m", or_null(s.left_pool_level)},
+          {"right_level_m", or_null(s.right_pool_level)}};
+}
+
+Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  const seepage::Solution& s = *analysis.seepage;
+  Json lines = Json::array(), probe_list = Json::array(), stretches = Json::array(),
+       meshes = Json::array();
+  for (const Polyline& line : s.phreatic_lines)
+    lines.push_back(points(line));
+  for (const Probe& p : probes(input, analysis))
+    probe_list.push_back({{"x_m", p.at.x()},
+                          {"y_m", p.at.y()},
+                          {"head_m", p.head},
+                          {"pore_pressure_kPa", p.pore_pressure / 1e3}});
+  for (std::size_t i = 0; i < std::min(s.stretch_inflow.size(), analysis.section.stretches.size());
+       ++i)
+    stretches.push_back(
+        {{"name", analysis.section.stretches[i].name}, {"inflow_m2_s", s.stretch_inflow[i]}});
+  for (const seepage::SolveHistory& h : s.history)
+    meshes.push_back({{"unknowns", h.unknowns},
+                      {"newton_steps", h.newton_steps},
+                      {"active_set_changes", h.active_set_changes},
+                      {"residual", h.residual},
+                      {"discharge_m2_s", h.discharge},
+                      {"seconds", {{"solve", h.seconds}, {"mesh", h.mesh_seconds}}}});
+  return {{"discharge_m2_s", s.discharge},
+          {"discharge_over_k_m", or_null(discharge_over_k(input, analysis))},
+          {"exit_point_m", s.exit_point ? point(*s.exit_point) : Json(nullptr)},
+          {"phreatic_line_m", lines.empty() ? Json::array() : lines.front()},
+          {"phreatic_lines_m", lines},
+          {"inflow_m2_s", s.inflow},
+          {"outflow_m2_s", s.outflow},
+          {"balance", s.balance},
+          {"stretches", stretches},
+          {"probes", probe_list},
+          {"meshes", meshes},
+          {"seconds", seconds(s.seconds)}};
+}
+
+Json mechanism_json(const std::optional<sph::Mechanism>& mechanism)
+{
+  if (!mechanism)
+    return nullptr;
+  return {{"kind", mechanism->kind},
+          {"side", mechanism->side},
+          {"entry_m", point(mechanism->entry)},
+          {"exit_m", point(mechanism->exit)},
+          {"depth_m", mechanism->depth},
+          {"volume_m2", mechanism->volume},
+          {"slip_line_m", points(mechanism->slip_line)}};
+}
+
+Json stability_json(const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  const coupling::Stability& s = *analysis.stability;
+  const sph::FactorOfSafety& factor = s.factor_of_safety;
+  Json trials = Json::array();
+  for (const sph::Trial& t : factor.trials)
+    trials.push_back({{"factor", t.factor},
+                      {"outcome", sph::to_string(t.outcome)},
+                      {"reason", t.reason},
+                      {"interrupted", t.interrupted},
+                      {"time_s", t.time},
+                      {"steps", t.steps},
+                      {"velocity_measure", t.velocity_measure},
+                      {"max_displacement_m", t.max_displacement},
+                      {"seconds", seconds(t.seconds)}});
+  double wall = 0, cpu = 0;
+  for (const coupling::StageSeconds& stage : analysis.stages)
+    if (stage.stage != "seepage")
+    {
+      wall += stage.seconds.wall;
+      cpu += stage.seconds.cpu;
+    }
+  return {{"factor", or_null(factor.factor())},
+          {"stands", or_null(factor.stands)},
+          {"fails", or_null(factor.fails)},
+          {"complete", factor.complete},
+          {"reason", factor.reason},
+          {"pore_pressure", coupling::to_string(input.water.pore_pressure)},
+          {"free_surface_m", points(s.free_surface)},
+          {"cone", input.sph.cone},
+          {"packing", s.particles.packing},
+          {"spacing_m", s.particles.spacing},
+          {"particles", s.particles.size()},
+          {"settlement_m", s.settlement},
+          {"side", s.mechanism ? Json(s.mechanism->side) : Json(nullptr)},
+          {"mechanism", mechanism_json(s.mechanism)},
+          {"trials", trials},
+          {"seconds", seconds({wall, cpu})}};
+}
+
+Json performance_json(const coupling::Analysis& analysis)
+{
+  Json stages = Json::array();
+  for (const coupling::StageSeconds& stage : analysis.stages)
+    stages.push_back(
+        {{"stage", stage.stage}, {"wall_s", stage.seconds.wall}, {"cpu_s", stage.seconds.cpu}});
+  Json json = {{"threads", omp_get_max_threads()}, {"stages", stages}};
+  if (analysis.stability)
+  {
+    json["particle_steps"] = analysis.stability->particle_steps;
+    json["particle_steps_per_cpu_second"] = or_null(particle_steps_per_cpu_second(analysis));
+  }
+  return json;
+}
+} // namespace
+
+std::vector<Probe> probes(const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  std::vector<Probe> list;
+  if (!analysis.seepage)
+    return list;
+  const seepage::Solution& solution = *analysis.seepage;
+  // Probes lie inside the section, checked on reading; the mesh may differ from it by rounding.
+  const double shift = 1e-6 * (analysis.section.x_max - analysis.section.x_min);
+  for (const Vec2& at : input.output.probes)
+  {
+    const auto head = seepage::value_at(solution, solution.head, at, shift);
+    const auto p_w = seepage::value_at(solution, solution.pore_pressure, at, shift);
+    if (!head || !p_w)
+      throw NumericalError(
+          fmt::format("probe ({}, {}) lies outside the seepage mesh", at.x(), at.y()));
+    list.push_back({at, *head, *p_w});
+  }
+  return list;
+}
+
+std::optional<double> discharge_over_k(const coupling::Case& input,
+                                       const coupling::Analysis& analysis)
+{
+  if (!analysis.seepage || input.soils.empty() || !input.soils.front().conductivity)
+    return std::nullopt;
+  const double k = input.soils.front().conductivity->kx;
+  const bool one =
+      std::all_of(input.soils.begin(), input.soils.end(),
+                  [k](const coupling::Soil& s)
+                  { return s.conductivity && s.conductivity->kx == k && s.conductivity->ky == k; });
+  return one ? std::optional(analysis.seepage->discharge / k) : std::nullopt;
+}
+
+std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& analysis)
+{
+  double cpu = 0;
+  for (const coupling::StageSeconds& stage : analysis.stages)
+    if (stage.stage == "settling" || stage.stage == "strength reduction")
+      cpu += stage.seconds.cpu;
+  if (!analysis.stability || analysis.stability->particle_steps <= 0 || cpu <= 0)
+    return std::nullopt;
+  return analysis.stability->particle_steps / cpu;
+}
+
+Json result_json(const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  const bool found = !analysis.stability || analysis.stability->factor_of_safety.complete;
+  Json json = {{"berm", version()},
+               {"format", 1},
+               {"title", input.title},
+               {"case", {{"path", input.path}, {"overrides", input.overrides}}},
+               {"complete", found && !analysis.interrupted},
+               {"interrupted", analysis.interrupted},
+               {"section", section_json(analysis.section)}};
+  if (analysis.seepage)
+    json["seepage"] = seepage_json(input, analysis);
+  if (analysis.stability)
+    json["stability"] = stability_json(input, analysis);
+  json["performance"] = performance_json(analysis);
+  require_finite(json);
+  return json;
+}
+
+std::string json_text(const Json& json, std::size_t indent)
+{
+  const std::string inner(indent + 2, ' ');
+  const bool nested =
+      std::any_of(json.begin(), json.end(),
+                  [](const Json& element)
+                  { return element.is_object() || (element.is_array() && element.size() > 2); });
+  if (!json.is_structured() || json.empty() || (json.is_array() && !nested))
+    return json.dump(); // points and lists of them stay on one line
+  std::string text;
+  for (const auto& [key, value] : json.items())
+    text +=
+        fmt::format("{}{}{}{}", text.empty() ? "" : ",\n", inner,
+                    json.is_object() ? Json(key).dump() + ": " : "", json_text(value, indent + 2));
+  return fmt::format(json.is_object() ? "{{\n{}\n{}}}" : "[\n{}\n{}]", text,
+                     std::string(indent, ' '));
+}
+
+void require_finite(const Json& json)
+{
+  const auto flat = json.flatten(); // "/stability/trials/0/factor"
+  for (const auto& [path, value] : flat.items())
+    if (value.is_number_float() && !std::isfinite(value.get<double>()))
+      throw NumericalError(
+          fmt::format("{} = {}: results are not written", path, value.get<double>()));
+}
+} // namespace berm::app

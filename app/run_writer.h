@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "coupling/analysis.h"
+
+#include <filesystem>
+#include <string>
+
+namespace berm::app
+{
+/// @brief Where results go unless --out says otherwise: results/<case's folder>_<case's name>.
+[[nodiscard]] std::filesystem::path default_directory(const std::string& case_path);
+
+/// @brief Make the directory and see that files can be written there: better now than after the
+/// run.
+/// @throws IoError if not.
+void prepare_directory(const std::filesystem::path& directory);
+
+/// @brief Write case.toml, results.h5, its XDMF companions and, last, result.json.
+/// Each is written aside and then renamed; files of an earlier run that this run has no match for
+/// are removed, other files stay as they are.
+/// @throws NumericalError if a value is not finite (nothing is replaced then); IoError.
+void write_run(const std::filesystem::path& directory, const coupling::Case& input,
+               const coupling::Analysis& analysis);
+} // namespace berm::app

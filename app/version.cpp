@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/version.h"
+
+#include "git_describe.h"
+
+#include <string_view>
+
+namespace berm::app
+{
+std::string version()
+{
+  return BERM_VERSION;
+}
+
+bool seepage_built_in()
+{
+#ifdef BERM_WITH_SEEPAGE
+  return true;
+#else
+  return false;
+#endif
+}
+
+std::string version_text()
+{
+  constexpr std::string_view commit = BERM_GIT_DESCRIBE;
+  std::string text = "berm " + version() + "\n";
+  text += "commit    : " + std::string(commit.empty() ? "unknown" : commit) + "\n";
+#ifdef __clang__
+  text += "compiler  : Clang " __clang_version__ "\n";
+#else
+  text += "compiler  : GCC " __VERSION__ "\n";
+#endif
+  text += std::string("seepage   : ") + (seepage_built_in() ? "built in" : "not built in") + "\n";
+  text += "libraries : " BERM_LIBRARIES "\n";
+  return text;
+}
+} // namespace berm::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+namespace berm::app
+{
+/// @brief The program's version, e.g. "0.1.0".
+[[nodiscard]] std::string version();
+
+/// @brief Version, commit, compiler and libraries, a line each: what a bug report needs.
+[[nodiscard]] std::string version_text();
+
+/// @brief Whether the seepage stage is a part of this build.
+[[nodiscard]] bool seepage_built_in();
+} // namespace berm::app
