@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "meshes/mesher.h"
+
+#include "core/error.h"
+#include "meshes/planar.h"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace berm::meshes
+{
+namespace
+{
+//------------------------------------------------------------------------------------------------
+// Zone borders as edges that meet only at their ends
+//------------------------------------------------------------------------------------------------
+
+/// What gmsh conforms to. The outline's vertices are the first points, in order.
+struct PlanarGraph
+{
+  Polyline points;
+  std::vector<std::pair<std::size_t, std::size_t>> borders; ///< zone borders inside the outline
+};
+
+double shortest_edge(const Section& section)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Zone& zone : section.zones)
+    for (std::size_t i = 0; i < zone.polygon.size(); ++i)
+      shortest =
+          std::min(shortest, (zone.polygon[next(i, zone.polygon.size())] - zone.polygon[i]).norm());
+  return shortest;
+}
+
+/// Whether the border of zone z can be seen at p: inside the section and under no later zone.
+bool visible(const Section& section, std::size_t z, const Vec2& p, double tolerance)
+{
+  if (!polygon_contains(section.outline, p) ||
+      nearest_edge(section.outline, p).distance <= tolerance)
+    return false;
+  for (std::size_t k = z + 1; k < section.zones.size(); ++k)
+  {
+    const Polyline& cover = section.zones[k].polygon;
+    if (polygon_contains(cover, p) && nearest_edge(cover, p).distance > tolerance)
+      return false;
+  }
+  return true;
+}
+
+/// Cut every zone edge where it meets another one, the outline, or a vertex. O(edges^2).
+/// Zones that miss each other by less than 1e-5 of the section are joined: the edge bends to the
+/// vertex.
+PlanarGraph zone_borders(const Section& section)
+{
+  const double size = std::max(section.x_max - section.x_min, section.y_max - section.y_min);
+  const double reach = std::min(1e-5 * size, 0.1 * shortest_edge(section));
+  PlanarGraph graph;
+  graph.points = section.outline;
+  const auto index_of = [&](const Vec2& p)
+  {
+    std::size_t best = graph.points.size();
+    double best_distance = reach;
+    for (std::size_t i = 0; i < graph.points.size(); ++i)
+      if (const double d = (graph.points[i] - p).norm(); d <= best_distance)
+      {
+        best = i;
+        best_distance = d;
+      }
+    if (best == graph.points.size())
+      graph.points.push_back(p);
+    return best;
+  };
+  for (const Zone& zone : section.zones)
+    for (const Vec2& p : zone.polygon)
+      index_of(p);
+  const Polyline corners = graph.points;
+
+  std::set<std::pair<std::size_t, std::size_t>> borders;
+  for (std::size_t z = 0; z < section.zones.size(); ++z)
+  {
+    const Polyline& polygon = section.zones[z].polygon;
+    for (std::size_t e = 0; e < polygon.size(); ++e)
+    {
+      const Vec2 &a = polygon[e], &b = polygon[next(e, polygon.size())];
+      std::vector<std::pair<double, std::size_t>> cuts;
+      const auto cut_at = [&](const Vec2& p)
+      { cuts.emplace_back(nearest_parameter(p, a, b), index_of(p)); };
+      for (const Vec2& p : corners)
+        if (distance(p, a, b) <= reach)
+          cut_at(p);
+      const auto cut_by = [&](const Polyline& other)
+      {
+        for (std::size_t k = 0; k < other.size(); ++k)
+          if (const auto p = crossing(a, b, other[k], other[next(k, other.size())]))
+            cut_at(*p);
+      };
+      cut_by(section.outline);
+      for (const Zone& other : section.zones)
+        cut_by(other.polygon);
+      std::sort(cuts.begin(), cuts.end());
+      for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
+      {
+        const auto [i, j] = std::minmax(cuts[c].second, cuts[c + 1].second);
+        if (i != j && visible(section, z, 0.5 * (graph.points[i] + graph.points[j]), reach))
+          borders.emplace(i, j);
+      }
+    }
+  }
+  graph.borders.assign(borders.begin(), borders.end());
+  return graph;
+}
+
+//------------------------------------------------------------------------------------------------
+// gmsh
+//------------------------------------------------------------------------------------------------
+
+/// Edge length wanted at a point [m].
+/// What the caller asks for, but where two parts of the drawing come close to each other (a thin
+/// zone, a short edge) no more than the local feature size: the radius of the smallest disk at the
+/// point that touches two edges without a common vertex (Ruppert 1995). It grows no faster than the
+/// distance, so the triangles do so too. Not below a tenth of what is asked for: a membrane gets
+/// stretched triangles.
+class SizeField
+{
+public:
+  SizeField(const ElementSize& size, const PlanarGraph& graph, std::size_t outline) : size_(size)
+  {
+    for (const Polyline& line : size.near)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        near_.emplace_back(line[i], line[i + 1]);
+    if (!(size_.fine > 0) || near_.empty())
+      size_.fine = size_.coarse;
+    for (std::size_t i = 0; i < outline; ++i)
+      edges_.push_back({graph.points[i], graph.points[next(i, outline)], i, next(i, outline)});
+    for (const auto& [i, j] : graph.borders)
+      edges_.push_back({graph.points[i], graph.points[j], i, j});
+  }
+
+  /// @param[in] factor  The wanted size is this many times as large.
+  [[nodiscard]] double at(const Vec2& p, double factor) const
+  {
+    const double asked = factor * asked_at(p);
+    return std::clamp(feature_size(p, asked), 0.1 * asked, asked);
+  }
+
+private:
+  struct Edge
+  {
+    Vec2 a, b;
+    std::size_t from, to;
+  };
+
+  [[nodiscard]] double asked_at(const Vec2& p) const
+  {
+    if (size_.fine == size_.coarse)
+      return size_.coarse;
+    double d = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : near_)
+      d = std::min(d, distance(p, a, b));
+    if (d <= size_.inner)
+      return size_.fine;
+    if (d >= size_.outer)
+      return size_.coarse;
+    return size_.fine +
+           (size_.coarse - size_.fine) * (d - size_.inner) / (size_.outer - size_.inner);
+  }
+
+  /// The local feature size if it is below `limit`, else `limit`.
+  [[nodiscard]] double feature_size(const Vec2& p, double limit) const
+  {
+    thread_local std::vector<std::pair<double, const Edge*>> touched;
+    touched.clear();
+    for (const Edge& edge : edges_)
+      if (const double d = distance(p, edge.a, edge.b); d < limit)
+        touched.emplace_back(d, &edge);
+    for (std::size_t m = 1; m < touched.size(); ++m)
+      for (std::size_t k = 0; k < m; ++k)
+      {
+        const Edge &e = *touched[k].second, &f = *touched[m].second;
+        if (e.from != f.from && e.from != f.to && e.to != f.from && e.to != f.to)
+          limit = std::min(limit, std::max(touched[k].first, touched[m].first));
+      }
+    return limit;
+  }
+
+  ElementSize size_;
+  std::vector<std::pair<Vec2, Vec2>> near_;
+  std::vector<Edge> edges_;
+};
+
+/// gmsh between its start and its end.
+class Gmsh
+{
+public:
+  Gmsh()
+  {
+    gmsh::initialize(0, nullptr, false);
+    for (const auto& [option, value] : std::initializer_list<std::pair<const char*, double>>{
+             {"General.Terminal", 0},
+             {"General.NumThreads", 1},
+             {"Mesh.MeshSizeExtendFromBoundary", 0},
+             {"Mesh.MeshSizeFromPoints", 0},
+             {"Mesh.MeshSizeFromCurvature", 0},
+             {"Geometry.AutoCoherence", 0}})
+      gmsh::option::setNumber(option, value);
+  }
+  Gmsh(const Gmsh&) = delete;
+  Gmsh& operator=(const Gmsh&) = delete;
+  ~Gmsh() { gmsh::finalize(); }
+};
+
+int tag(std::size_t i)
+{
+  return static_cast<int>(i) + 1;
+}
+
+TriangleMesh mesh_with(int algorithm, const Section& section, const PlanarGraph& graph,
+                       const SizeField& field, double factor)
+{
+  const Gmsh session;
+  gmsh::option::setNumber("Mesh.Algorithm", algorithm);
+  gmsh::model::add("section");
+
+  const std::size_t n = section.outline.size();
+  std::vector<bool> used(graph.points.size(), false);
+  std::fill_n(used.begin(), n, true);
+  for (const auto& [i, j] : graph.borders)
+    used[i] = used[j] = true;
+  for (std::size_t i = 0; i < graph.points.size(); ++i)
+    if (used[i])
+      gmsh::model::geo::addPoint(graph.points[i].x(), graph.points[i].y(), 0, 0, tag(i));
+  std::vector<int> outline, inside;
+  for (std::size_t i = 0; i < n; ++i)
+    outline.push_back(gmsh::model::geo::addLine(tag(i), tag(next(i, n)), tag(i)));
+  for (const auto& [i, j] : graph.borders)
+    inside.push_back(gmsh::model::geo::addLine(tag(i), tag(j)));
+  gmsh::model::geo::addCurveLoop(outline, 1);
+  gmsh::model::geo::addPlaneSurface({1}, 1);
+  gmsh::model::geo::synchronize();
+  if (!inside.empty())
+    gmsh::model::mesh::embed(1, inside, 2, 1);
+  gmsh::model::mesh::setSizeCallback(
+      [&field, factor](int, int, double x, double y, double) {
+        return field.at({x, y}, factor);
+      });
+  gmsh::model::mesh::generate(2);
+
+  std::vector<std::size_t> node_tags, element_tags, corners;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(node_tags, coordinates, parameters);
+  gmsh::model::mesh::getElementsByType(2, element_tags, corners);
+
+  // gmsh numbers from 1, with gaps; nodes that no triangle uses are left out.
+  std::size_t largest = 0;
+  for (const std::size_t t : node_tags)
+    largest = std::max(largest, t);
+  std::vector<Index> index(largest + 1, -1);
+  for (const std::size_t t : corners)
+    index.at(t) = 0;
+  TriangleMesh mesh;
+  for (std::size_t i = 0; i < node_tags.size(); ++i)
+    if (index[node_tags[i]] == 0)
+    {
+      index[node_tags[i]] = static_cast<Index>(mesh.nodes.size());
+      mesh.nodes.emplace_back(coordinates[3 * i], coordinates[3 * i + 1]);
+    }
+  for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
+    mesh.triangles.push_back({index[corners[t]], index[corners[t + 1]], index[corners[t + 2]]});
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    element_tags.clear(); // gmsh fills what it is given without making it smaller
+    corners.clear();
+    gmsh::model::mesh::getElementsByType(1, element_tags, corners, tag(k));
+    for (std::size_t e = 0; e + 1 < corners.size(); e += 2)
+    {
+      mesh.boundary.push_back({index.at(corners[e]), index.at(corners[e + 1])});
+      mesh.boundary_stretch.push_back(section.edge_stretch[k]);
+    }
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------------------------
+// Checks
+//------------------------------------------------------------------------------------------------
+
+const Vec2& node(const TriangleMesh& mesh, Index i)
+{
+  return mesh.nodes[static_cast<std::size_t>(i)];
+}
+
+/// Turn all triangles counter-clockwise and give them their soil. What is wrong, or nothing.
+std::string finish(const Section& section, TriangleMesh& mesh)
+{
+  double area = 0;
+  for (auto& t : mesh.triangles)
+  {
+    const Vec2 &a = node(mesh, t[0]), &b = node(mesh, t[1]), &c = node(mesh, t[2]);
+    const double twice = cross(b - a, c - a);
+    if (!(twice != 0))
+      return fmt::format("a triangle without area at ({:.6g}, {:.6g})", a.x(), a.y());
+    area += 0.5 * std::abs(twice);
+    mesh.triangle_soil.push_back(soil_at(section, (a + b + c) / 3));
+    if (twice < 0)
+      std::swap(t[1], t[2]);
+  }
+  const double exact = polygon_area(section.outline);
+  if (!(std::abs(area - exact) <= 1e-9 * exact))
+    return fmt::format("the triangles cover {:.10g} m2 of {:.10g} m2", area, exact);
+  for (const auto& edge : mesh.boundary)
+    if (edge[0] < 0 || edge[1] < 0)
+      return "a boundary edge belongs to no triangle";
+  return "";
+}
+
+/// Cut every triangle into four equal ones of the same shape, every boundary edge into two.
+TriangleMesh halved(TriangleMesh mesh)
+{
+  // The edges of all triangles, each once, in order: the rank of an edge numbers its midpoint.
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const auto first = static_cast<Index>(mesh.nodes.size());
+  const auto middle = [&edges, first](Index i, Index j)
+  {
+    const std::array<Index, 2> edge = {std::min(i, j), std::max(i, j)};
+    return first +
+           static_cast<Index>(std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
+  };
+
+  TriangleMesh fine;
+  fine.nodes = std::move(mesh.nodes);
+  fine.nodes.reserve(fine.nodes.size() + edges.size());
+  for (const auto& [i, j] : edges)
+    fine.nodes.emplace_back(0.5 * (node(fine, i) + node(fine, j)));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto [a, b, c] = mesh.triangles[t];
+    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const std::array<Index, 3>& part : {std::array{a, ab, ca}, std::array{ab, b, bc},
+                                             std::array{ca, bc, c}, std::array{ab, bc, ca}})
+    {
+      fine.triangles.push_back(part);
+      fine.triangle_soil.push_back(mesh.triangle_soil[t]);
+    }
+  }
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
+  {
+    const auto [a, b] = mesh.boundary[e];
+    fine.boundary.push_back({a, middle(a, b)});
+    fine.boundary.push_back({middle(a, b), b});
+    fine.boundary_stretch.insert(fine.boundary_stretch.end(), 2, mesh.boundary_stretch[e]);
+  }
+  return fine;
+}
+
+/// Mesh with the algorithm that works, edges `factor` times as long as wanted.
+TriangleMesh mesh_at(double factor, const Section& section, const PlanarGraph& graph,
+                     const SizeField& field)
+{
+  std::string problem;
+  for (const int algorithm :
+       {6, 5, 1}) // frontal, Delaunay, MeshAdapt: worse or slower, each in turn
+  {
+    try
+    {
+      TriangleMesh mesh = mesh_with(algorithm, section, graph, field, factor);
+      problem = finish(section, mesh);
+      if (problem.empty())
+        return mesh;
+    }
+    catch (const std::exception& error)
+    {
+      problem = error.what();
+    }
+    catch (...) // gmsh throws plain values in some builds
+    {
+      problem = "unknown failure";
+    }
+  }
+  throw NotConverged("gmsh could not triangulate the section: " + problem);
+}
+} // namespace
+
+TriangleMesh triangulate(const Section& section, const ElementSize& size)
+{
+  if (!(size.coarse > 0) || !std::isfinite(size.coarse))
+    throw InputError({{"seepage.element_size_m", fmt::format("{:.10g}", size.coarse),
+                       "no edge length", "> 0", ""}});
+  const PlanarGraph graph = zone_borders(section);
+  const SizeField field(size, graph, section.outline.size());
+  // gmsh takes 30 to 75 us a node, halving the edges of a coarser mesh a tenth of that.
+  constexpr double largest = 12000; // nodes that gmsh is asked for
+  TriangleMesh mesh = mesh_at(4, section, graph, field);
+  const double expected = 16 * static_cast<double>(mesh.nodes.size());
+  const int halvings = expected <= largest ? 0 : expected <= 4 * largest ? 1 : 2;
+  if (halvings < 2)
+    mesh = mesh_at(halvings == 1 ? 2 : 1, section, graph, field);
+  for (int k = 0; k < halvings; ++k)
+    mesh = halved(std::move(mesh));
+  return mesh;
+}
+} // namespace berm::meshes
