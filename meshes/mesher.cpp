@@ -30,16 +30,6 @@ struct PlanarGraph
   std::vector<std::pair<std::size_t, std::size_t>> borders; ///< zone borders inside the outline
 };
 
-double shortest_edge(const Section& section)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Zone& zone : section.zones)
-    for (std::size_t i = 0; i < zone.polygon.size(); ++i)
-      shortest =
-          std::min(shortest, (zone.polygon[next(i, zone.polygon.size())] - zone.polygon[i]).norm());
-  return shortest;
-}
-
 /// Whether the border of zone z can be seen at p: inside the section and under no later zone.
 bool visible(const Section& section, std::size_t z, const Vec2& p, double tolerance)
 {
@@ -61,7 +51,9 @@ bool visible(const Section& section, std::size_t z, const Vec2& p, double tolera
 PlanarGraph zone_borders(const Section& section)
 {
   const double size = std::max(section.x_max - section.x_min, section.y_max - section.y_min);
-  const double reach = std::min(1e-5 * size, 0.1 * shortest_edge(section));
+  double reach = size;
+  for (const Zone& zone : section.zones)
+    reach = std::min(reach, healing_reach(zone.polygon, size));
   PlanarGraph graph;
   graph.points = section.outline;
   const auto index_of = [&](const Vec2& p)

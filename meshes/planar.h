@@ -12,6 +12,9 @@
 /// Plane geometry that the section and its mesher share.
 namespace berm::meshes
 {
+/// Points closer than this, relative to the larger extent of the section, are one point.
+inline constexpr double same_point = 1e-9;
+
 /// The next vertex of a closed polygon with n vertices.
 [[nodiscard]] inline std::size_t next(std::size_t i, std::size_t n)
 {
@@ -82,5 +85,22 @@ struct NearestEdge
       best = {k, d};
   }
   return best;
+}
+
+/// Length of the shortest edge of a closed polygon [m].
+[[nodiscard]] inline double shortest_edge(const Polyline& polygon)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    shortest = std::min(shortest, (polygon[next(i, polygon.size())] - polygon[i]).norm());
+  return shortest;
+}
+
+/// How far off a zone's border may be drawn and still be moved to a vertex or an edge nearby [m].
+/// Drawings are rounded to millimetres on a hundred metres, but a thin zone keeps its thickness.
+[[nodiscard]] inline double healing_reach(const Polyline& zone, double section_size)
+{
+  return std::max(same_point * section_size,
+                  std::min(1e-5 * section_size, 0.1 * shortest_edge(zone)));
 }
 } // namespace berm::meshes

@@ -17,10 +17,9 @@ namespace berm::meshes
 {
 namespace
 {
-// Relative to the larger extent of the section. Two points closer than `same` are one point. A zone
-// corner closer than `healed` to the outline or to another zone was meant to lie on it (drawings
-// are rounded to millimetres), and a marked line may lie `marked_off` away from the outline.
-constexpr double same = 1e-9, healed = 1e-5, marked_off = 1e-4;
+/// How far a marked line may be drawn from the outline, relative to the larger extent of the
+/// section.
+constexpr double marked_off = 1e-4;
 
 std::string text(const Vec2& p)
 {
@@ -68,7 +67,7 @@ bool check_points(const std::string& key, const Polyline& points, bool closed,
   }
   if (!finite)
     return false;
-  const double tolerance = same * extent(points);
+  const double tolerance = same_point * extent(points);
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
   {
     const std::size_t j = next(i, points.size());
@@ -85,7 +84,7 @@ void check_simple(const std::string& key, const Polyline& points, bool closed,
                   std::vector<Mistake>& mistakes)
 {
   const std::size_t n = points.size(), edges = closed ? n : n - 1;
-  const double tolerance = same * extent(points);
+  const double tolerance = same_point * extent(points);
   for (std::size_t i = 0; i < edges; ++i)
     for (std::size_t j = i + 1; j < edges; ++j)
     {
@@ -110,7 +109,7 @@ void check_simple(const std::string& key, const Polyline& points, bool closed,
 void check_left_to_right(const std::string& key, const Polyline& points,
                          std::vector<Mistake>& mistakes)
 {
-  const double tolerance = same * extent(points);
+  const double tolerance = same_point * extent(points);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     if (points[i + 1].x() < points[i].x() - tolerance)
       mistakes.push_back({key, text(points[i + 1]),
@@ -203,7 +202,7 @@ Boundary join(Polyline ground, Polyline base)
 {
   Boundary b;
   b.size = std::max(extent(ground), extent(base));
-  const double tolerance = same * b.size;
+  const double tolerance = same_point * b.size;
   base.front().x() = ground.front().x();
   base.back().x() = ground.back().x();
   const bool left_side = (ground.front() - base.front()).norm() > tolerance;
@@ -247,7 +246,7 @@ std::optional<Boundary> boundary_from_ground(const SectionInput& input,
   if (mistakes.size() > before)
     return std::nullopt;
 
-  const double tolerance = same * std::max(extent(ground), extent(base));
+  const double tolerance = same_point * std::max(extent(ground), extent(base));
   const double left = ground.front().x(), right = ground.back().x();
   if (right - left <= tolerance)
   {
@@ -308,7 +307,7 @@ std::optional<Boundary> boundary_from_outline(const SectionInput& input,
     return std::nullopt;
   Boundary b;
   b.size = extent(points);
-  const double tolerance = same * b.size;
+  const double tolerance = same_point * b.size;
   if (std::abs(polygon_area(points)) <= tolerance * b.size)
     mistakes.push_back({key, "", "encloses no area", "", ""});
   else
@@ -400,7 +399,7 @@ void flood(Boundary& b, const SectionInput& input, Section& section, std::vector
 {
   const std::string keys[] = {"water.left_level_m", "water.right_level_m"};
   const std::optional<double> levels[] = {input.left_pool_level, input.right_pool_level};
-  const double tolerance = same * b.size;
+  const double tolerance = same_point * b.size;
   const std::size_t before = mistakes.size();
   Pool pools[2];
   for (std::size_t side = 0; side < 2; ++side)
@@ -540,7 +539,7 @@ bool overlaps(const Polyline& outline, const Polyline& zone, double tolerance)
 }
 
 /// Move corners that were meant to lie on the outline or on another zone onto them.
-/// A polygon that would not survive it (thinner than the reach) is left alone.
+/// A polygon that would not survive it is left alone.
 Polyline heal(const Polyline& zone, const Polyline& outline, const std::vector<Zone>& others,
               double reach)
 {
@@ -585,13 +584,14 @@ Polyline heal(const Polyline& zone, const Polyline& outline, const std::vector<Z
 void place_zones(Boundary& b, const std::vector<Zone>& drawn, const std::vector<bool>& usable,
                  Section& section, std::vector<Mistake>& mistakes)
 {
-  const double tolerance = same * b.size;
+  const double tolerance = same_point * b.size;
   for (std::size_t z = 0; z < drawn.size(); ++z)
   {
     if (!usable[z])
       continue;
     Zone zone = {drawn[z].soil, counter_clockwise(opened(drawn[z].polygon))};
-    zone.polygon = heal(zone.polygon, b.points, section.zones, healed * b.size);
+    const double reach = healing_reach(zone.polygon, b.size);
+    zone.polygon = heal(zone.polygon, b.points, section.zones, reach);
     if (!overlaps(b.points, zone.polygon, tolerance))
     {
       mistakes.push_back({fmt::format("section.zone[{}].polygon_m", z + 1),
@@ -600,7 +600,7 @@ void place_zones(Boundary& b, const std::vector<Zone>& drawn, const std::vector<
       continue;
     }
     for (const Vec2& p : meeting_points(b.points, zone.polygon, tolerance))
-      b.vertex_at(p, tolerance);
+      b.vertex_at(p, reach);
     section.zones.push_back(std::move(zone));
   }
 }
@@ -784,7 +784,7 @@ bool contains(const Section& section, const Vec2& point)
 {
   const double size = std::max(section.x_max - section.x_min, section.y_max - section.y_min);
   return polygon_contains(section.outline, point) ||
-         nearest_edge(section.outline, point).distance <= same * size;
+         nearest_edge(section.outline, point).distance <= same_point * size;
 }
 
 Index soil_at(const Section& section, const Vec2& point)

@@ -70,7 +70,8 @@ struct Section
 /// base that is wider than the ground is cut to it. A pool that covers all the ground is the left one
 /// if both levels are given and equal. A pool level at the ground's end is no pool.
 /// Tolerances, relative to the larger extent of the section: points within 1e-9 are one; zone corners
-/// within 1e-5 of the outline or of an earlier zone are moved onto it; marked lines may lie 1e-4 off.
+/// within 1e-5 of the outline or of an earlier zone are moved onto it (less for thin zones); marked
+/// lines may lie 1e-4 off.
 /// Keys in messages count zones and boundaries from 1: section.zone[1].polygon_m,
 /// seepage.boundary[1].line_m.
 /// @throws InputError with every mistake found: crossing edges, wrong order, base above ground, zero
