@@ -2,6 +2,7 @@
 #include "sph/discretisation.h"
 
 #include "sph/kernel.h"
+#include "sph/time_step.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -175,6 +176,9 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
     d.bx.push_back(a.x());
     d.by.push_back(a.y() - gravity);
   }
+
+  // Step 5: the time step that this packing allows.
+  limit_time_step(d);
   return d;
 }
 } // namespace berm::sph

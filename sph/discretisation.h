@@ -20,9 +20,9 @@ namespace berm::sph
 struct Discretisation
 {
   Index n = 0;
-  double h = 0;                         ///< smoothing length, 1.2 dx [m]
-  double dt = 0;                        ///< time step, 0.8 h / c_p of the stiffest soil [s]
-  NeighbourList neighbours;             ///< of particles, among particles and ghosts
+  double h = 0;             ///< smoothing length, 1.2 dx [m]
+  double dt = 0;            ///< time step, 0.8 h / c_p of the stiffest soil, or less [s]
+  NeighbourList neighbours; ///< of particles, among particles and ghosts
   std::vector<std::array<double, 2>> G; ///< G_ij = V_j grad_i W_ij for each pair [1/m]
   std::vector<double> viscosity;        ///< s_ij of eq. (3.9) for each pair [m2/s]
   std::vector<SymTensor> B;             ///< gradient correction of each particle (xx, yy, xy) [-]

@@ -54,7 +54,7 @@ void fill_columns(const meshes::Section& section, Particles& particles)
       // The mean height over the column's width keeps the mass exact where the ground has a kink.
       const double height =
           clipped_area(section, {left, section.y_min}, {left + width, section.y_max}) / width;
-      if (height < 0.25 * dx) // the feather edge of a toe
+      if (height < 0.5 * dx) // the feather edge of a toe
         continue;
       const int rows = std::max(1, static_cast<int>(std::lround(height / dx)));
       const double dy = height / rows, foot = meshes::base_level(section, x);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// Claims D-1, D-2 and D-4 of docs/verification.md: a soil column between rollers against closed forms.
+/// Claims D-1, D-2 and D-4 of docs/verification.md: a soil column between rollers against closed
+/// forms.
 #include "sph/fill.h"
 #include "sph/total_lagrangian.h"
 #include "sph/trial.h"
@@ -24,7 +25,8 @@ struct Column
   Discretisation d;
 
   /// @param pressure  p_w [Pa] at depth z [m].
-  explicit Column(double dx, const std::function<double(double)>& pressure = [](double) { return 0.; })
+  explicit Column(
+      double dx, const std::function<double(double)>& pressure = [](double) { return 0.; })
       : particles(fill(section, dx, "columns"))
   {
     tests::set_density(particles, rho);
@@ -64,7 +66,8 @@ TEST(SoilColumn, SettlesToGeostaticStress)
     const Settled settled = column.settled();
     const auto [inside, top] = stress_error(column, settled.state, gamma);
     EXPECT_LT(inside, 1e-3 * gamma * H); // the settling criterion leaves 2e-4
-    // The sum at the surface misses half a row of support: an error of about half a spacing of soil.
+    // The sum at the surface misses half a row of support: an error of about half a spacing of
+    // soil.
     EXPECT_LT(top, 0.6 * gamma * dx);
     const double K0 = 0.3 / 0.7;
     for (const SymTensor& sig : settled.state.stress)
@@ -84,8 +87,12 @@ TEST(SoilColumn, SwingsWithThePeriodOfAnElasticRod)
   const double T = 4 * H / std::sqrt(column.d.elastic[0].M() / rho);
   const std::vector<double> zero(column.particles.size(), 0.0);
   TotalLagrangian soil(column.d, {}, 0,
-                       {.ux = zero, .uy = zero, .vx = zero, .vy = zero,
-                        .stress = std::vector<SymTensor>(zero.size()), .plastic_strain = zero});
+                       {.ux = zero,
+                        .uy = zero,
+                        .vx = zero,
+                        .vy = zero,
+                        .stress = std::vector<SymTensor>(zero.size()),
+                        .plastic_strain = zero});
   // Times at which the mean settlement turns back; the first is half a period after the start.
   std::vector<double> turns;
   double before = 0, now = 0;
@@ -127,7 +134,8 @@ TEST(SoilColumn, UpwardFlowTakesItsShareOfTheWeight)
   EXPECT_LT(stress_error(column, column.settled().state, left).first, 1e-3 * gamma * H);
 }
 
-/// D-4: beyond i_c = gamma' / gamma_w cohesionless soil lifts: a trial at F = 1 fails, and nothing blows up.
+/// D-4: beyond i_c = gamma' / gamma_w cohesionless soil lifts: a trial at F = 1 fails, and nothing
+/// blows up.
 TEST(SoilColumn, BeyondTheCriticalGradientTheSoilLifts)
 {
   const double critical = (gamma - water_unit_weight) / water_unit_weight;
@@ -137,8 +145,8 @@ TEST(SoilColumn, BeyondTheCriticalGradientTheSoilLifts)
     column.soils[0].cohesion = 0;
     const Settled settled = column.settled();
     Observer silent;
-    const Trial trial = run_trial(column.d, settled.state, reduced_cones(column.soils, 1, "fitted"), 1,
-                                  silent);
+    const Trial trial =
+        run_trial(column.d, settled.state, reduced_cones(column.soils, 1, "fitted"), 1, silent);
     EXPECT_EQ(trial.outcome, ratio < 1 ? Outcome::stands : Outcome::fails) << trial.reason;
   }
 }
