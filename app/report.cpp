@@ -200,9 +200,10 @@ std::string factor_text(const sph::FactorOfSafety& factor)
     bracket += fmt::format("{}fails at {:.3f}", bracket.empty() ? "" : ", ", *factor.fails);
   if (factor.complete && factor.factor())
     return fmt::format("F = {:.3f} ({})", *factor.factor(), bracket);
-  return fmt::format("UNDECIDED: {}{}{}", factor.reason,
-                     factor.reason.empty() || bracket.empty() ? "" : "; ",
-                     bracket.empty() ? "no trial was decided" : bracket);
+  if (bracket.empty())
+    bracket = "no trial was decided";
+  return fmt::format("UNDECIDED: {}{}{}", factor.reason, factor.reason.empty() ? "" : "; ",
+                     bracket);
 }
 
 std::string report(const coupling::Case& input, const coupling::Analysis& analysis,

@@ -235,8 +235,8 @@ std::string json_text(const Json& json, std::size_t indent)
     text +=
         fmt::format("{}{}{}{}", text.empty() ? "" : ",\n", inner,
                     json.is_object() ? Json(key).dump() + ": " : "", json_text(value, indent + 2));
-  return fmt::format(json.is_object() ? "{{\n{}\n{}}}" : "[\n{}\n{}]", text,
-                     std::string(indent, ' '));
+  const char* brackets = json.is_object() ? "{}" : "[]";
+  return fmt::format("{}\n{}\n{}{}", brackets[0], text, std::string(indent, ' '), brackets[1]);
 }
 
 void require_finite(const Json& json)

@@ -70,9 +70,8 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                const coupling::Analysis& analysis)
 {
   prepare_directory(directory);
-  // What cannot be finite is found before anything is replaced.
-  const std::string result = json_text(result_json(input, analysis)) + "\n";
-  const Leftovers leftovers{directory};
+  const Leftovers leftovers{
+      directory}; // whatever throws below, nothing of an earlier run is replaced
   write_fields(aside(directory / "results.h5").string(), input, analysis);
   write_text(aside(directory / "case.toml"), input.text);
   if (analysis.stability && !analysis.stability->settled.ux.empty())
@@ -80,7 +79,7 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                particles_xdmf(*analysis.stability, "results.h5"));
   if (analysis.seepage)
     write_text(aside(directory / "results_mesh.xdmf"), mesh_xdmf(*analysis.seepage, "results.h5"));
-  write_text(aside(directory / "result.json"), result);
+  write_text(aside(directory / "result.json"), json_text(result_json(input, analysis)) + "\n");
   for (const char* name : our_files)
   {
     std::error_code error;

@@ -1,0 +1,245 @@
+#!/usr/bin/python3
+"""Draw a run: seepage.png, slip.png and trials.png beside its result.json and results.h5.
+
+    /usr/bin/python3 docs/plots/figures.py DIR [--out DIR]
+
+A figure whose stage the run does not have is not drawn. Needs numpy, h5py and matplotlib
+(Debian: python3-numpy python3-h5py python3-matplotlib).
+"""
+
+import argparse
+import json
+import pathlib
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Polygon, Rectangle
+from matplotlib.ticker import MaxNLocator
+
+# Okabe and Ito's colours: told apart by colour-blind readers too.
+BLUE, SKY, ORANGE, GREEN, GREY = "#0072B2", "#56B4E9", "#D55E00", "#009E73", "#666666"
+
+
+def pool_polygon(ground, level, side):
+    """Water on the ground from one end of the section to the first point above the level."""
+    ground = ground if side == "left" else ground[::-1]
+    wet = [ground[0]]
+    for a, b in zip(ground[:-1], ground[1:]):
+        if b[1] > level:
+            t = (level - a[1]) / (b[1] - a[1])
+            wet.append(a + t * (b - a))
+            break
+        wet.append(b)
+    return np.array([[wet[0][0], level], *wet, [wet[-1][0], level]])
+
+
+def draw_section(ax, result):
+    """Outline, pools, true aspect, axes in metres."""
+    section = result["section"]
+    outline = np.array(section["outline_m"])
+    ax.fill(*outline.T, facecolor="none", edgecolor="black", lw=1.2, zorder=5)
+    ground = np.array(section["ground_m"])
+    for side in ("left", "right"):
+        level = section[f"{side}_level_m"]
+        if level is not None:
+            pool = pool_polygon(ground, level, side)
+            ax.fill(*pool.T, facecolor=SKY, alpha=0.35, lw=0, zorder=1)
+            surface = pool[[0, -1]]
+            ax.plot(*surface.T, color=BLUE, lw=1.2, zorder=1)
+    width = section["x_max_m"] - section["x_min_m"]
+    height = section["y_max_m"] - section["y_min_m"]
+    ax.set_xlim(section["x_min_m"] - 0.01 * width, section["x_max_m"] + 0.01 * width)
+    ax.set_ylim(section["y_min_m"] - 0.06 * height, section["y_max_m"] + 0.10 * height)
+    ax.set_aspect("equal")
+    ax.set_xlabel("x [m]")
+    ax.set_ylabel("y [m]")
+
+
+def figure_for(result):
+    """A figure in the section's own proportions, with room for title and colour bar."""
+    section = result["section"]
+    ratio = (section["y_max_m"] - section["y_min_m"]) / (section["x_max_m"] - section["x_min_m"])
+    return plt.subplots(figsize=(11, min(max(11 * ratio + 1.9, 3), 11)), layout="constrained")
+
+
+def colour_bar(fig, ax, mappable, label):
+    bar = fig.colorbar(mappable, ax=ax, orientation="horizontal", shrink=0.6, aspect=40, pad=0.02)
+    bar.set_label(label)
+
+
+def draw_water_line(ax, result):
+    """The phreatic line of the seepage solve, or the given line of the hydrostatic mode."""
+    lines = result.get("seepage", {}).get("phreatic_lines_m", [])
+    label = "phreatic line"
+    if not lines and result.get("stability", {}).get("free_surface_m"):
+        lines, label = [level_beyond_ends(result)], "free surface (given)"
+    for i, line in enumerate(lines):
+        ax.plot(*np.array(line).T, color="white", lw=3.5, zorder=6)
+        ax.plot(*np.array(line).T, color=BLUE, lw=2, zorder=7, label=label if i == 0 else None)
+
+
+def level_beyond_ends(result):
+    """The hydrostatic line goes on level beyond its ends, as far as there is ground above it."""
+    line = np.array(result["stability"]["free_surface_m"])
+    section = result["section"]
+    x = np.linspace(section["x_min_m"], section["x_max_m"], 2000)
+    y = np.interp(x, *line.T)
+    ground = np.array(section["ground_m"])
+    inside = y <= np.interp(x, *ground.T) + 1e-9
+    return np.column_stack([x, y])[inside]
+
+
+def seepage_figure(result, fields):
+    """Head contours, phreatic line and where the water flows."""
+    fig, ax = figure_for(result)
+    x, y = fields["mesh/nodes"][()].T
+    triangles = fields["mesh/triangles"][()]
+    head, pressure = fields["mesh/head"][()], fields["mesh/pore_pressure"][()]
+    # Above the phreatic line there is no flow to speak of: it stays grey.
+    ax.fill(*np.array(result["section"]["outline_m"]).T, facecolor="#e6e6e6", lw=0, zorder=0)
+    wet = pressure[triangles].max(axis=1) > 0
+    levels = head_levels(head[np.unique(triangles[wet])])
+    filled = ax.tricontourf(x, y, triangles[wet], head, levels=levels, cmap="viridis")
+    ax.tricontour(x, y, triangles[wet], head, levels=levels, colors="white", linewidths=0.5)
+    draw_flow(ax, result, fields, wet)
+    draw_section(ax, result)
+    draw_water_line(ax, result)
+    exit_point = result["seepage"]["exit_point_m"]
+    if exit_point:
+        ax.plot(*exit_point, "o", color=ORANGE, ms=6, zorder=7, label="exit point")
+    probes = result["seepage"]["probes"]
+    if probes:
+        at = np.array([[p["x_m"], p["y_m"]] for p in probes])
+        ax.plot(*at.T, "+", color="black", ms=7, zorder=7, label="probes")
+    q = result["seepage"]["discharge_m2_s"]
+    what = f"discharge {q:.4g} m²/s per metre run; arrows: root of the flux"
+    ax.set_title(f"{result['title']}\n{what}")
+    ax.legend(loc="upper right", framealpha=0.9)
+    colour_bar(fig, ax, filled, "hydraulic head [m]")
+    return fig
+
+
+def head_levels(head):
+    """About sixteen round levels; a few about the value where the water stands still."""
+    low, high = head.min(), head.max()
+    if high - low < 1e-6 * max(abs(high), 1):
+        return np.linspace(low - 0.5, high + 0.5, 5)
+    return MaxNLocator(nbins=16).tick_values(low, high)
+
+
+def draw_flow(ax, result, fields, wet):
+    """Arrows of equal spacing; their length is the root of the flux, so that slow flow shows."""
+    nodes, triangles = fields["mesh/nodes"][()], fields["mesh/triangles"][()][wet]
+    flux = fields["mesh/flux"][()][wet, :2]
+    centre = nodes[triangles].mean(axis=1)
+    section = result["section"]
+    pitch = (section["x_max_m"] - section["x_min_m"]) / 45
+    # One arrow a cell of the pitch: that of the triangle nearest to its middle.
+    cell = np.floor(centre / pitch).astype(int)
+    off = np.hypot(*(centre / pitch - cell - 0.5).T)
+    nearest = {}
+    for i in np.argsort(-off, kind="stable"):
+        nearest[tuple(cell[i])] = i
+    keep = np.array([i for i in nearest.values() if off[i] < 0.45], dtype=int)
+    speed = np.hypot(*flux[keep].T)
+    if keep.size == 0 or speed.max() == 0:
+        return
+    length = 1.1 * pitch * np.sqrt(np.minimum(speed / np.quantile(speed, 0.97), 1))
+    arrows = flux[keep] / np.where(speed > 0, speed, 1)[:, None] * length[:, None]
+    ax.quiver(*centre[keep].T, *arrows.T, angles="xy", scale_units="xy", scale=1, pivot="mid",
+              width=0.0013, color="black", alpha=0.75, zorder=4)
+
+
+def slip_figure(result, fields):
+    """Plastic strain where the slope fails, the slip line through it, and the water."""
+    stability = result["stability"]
+    name = next((n for n in ("failing", "standing") if n in fields["particles"]), None)
+    if name is None:
+        return None
+    fig, ax = figure_for(result)
+    position = fields["particles/position"][()]
+    volume = fields["particles/volume"][()]
+    strain = fields[f"particles/{name}/plastic_strain"][()]
+    factor = fields[f"particles/{name}"].attrs["factor"]
+    width = stability["spacing_m"]
+    boxes = [Rectangle((x - width / 2, y - v / width / 2), width, v / width)
+             for (x, y), v in zip(position, volume)]
+    tiles = PatchCollection(boxes, cmap="cividis", linewidths=0.4, edgecolors="face", zorder=2)
+    tiles.set_array(strain)
+    top = np.quantile(strain, 0.995)
+    tiles.set_clim(0, top if top > 0 else 1)
+    outline = Polygon(np.array(result["section"]["outline_m"]), transform=ax.transData)
+    ax.add_collection(tiles)
+    draw_section(ax, result)
+    tiles.set_clip_path(outline)
+    draw_water_line(ax, result)
+    if stability["mechanism"] and name == "failing":
+        line = np.array(stability["mechanism"]["slip_line_m"])
+        ax.plot(*line.T, color="white", lw=4, zorder=6)
+        ax.plot(*line.T, color=ORANGE, lw=2, zorder=7, label="slip line")
+    found = stability["factor"]
+    answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
+    ax.set_title(f"{result['title']}\n{answer}; drawn: strength / {factor:.4g}, {name}")
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper right", framealpha=0.9)
+    colour_bar(fig, ax, tiles, "equivalent plastic strain [-]")
+    return fig
+
+
+def trials_figure(result):
+    """Every trial: how far the soil moved, and what was made of it."""
+    stability = result["stability"]
+    trials = [t for t in stability["trials"] if not t["interrupted"]]
+    if not trials:
+        return None
+    fig, ax = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    looks = {"stands": ("o", GREEN), "fails": ("X", ORANGE), "undecided": ("D", GREY)}
+    moved = sorted((t["factor"], t["max_displacement_m"]) for t in trials)
+    ax.plot(*np.array(moved).T, color="#bbbbbb", lw=1, zorder=1)
+    for outcome, (marker, colour) in looks.items():
+        some = [(t["factor"], t["max_displacement_m"]) for t in trials if t["outcome"] == outcome]
+        if some:
+            ax.plot(*np.array(some).T, marker, color=colour, ms=9, mec="black", mew=0.6,
+                    label=outcome, zorder=3)
+    if stability["stands"] is not None and stability["fails"] is not None:
+        label = f"bracket {stability['stands']:.3f} to {stability['fails']:.3f}"
+        ax.axvspan(stability["stands"], stability["fails"], color=SKY, alpha=0.5, lw=0, label=label)
+    if min(d for _, d in moved) > 0 and max(d for _, d in moved) > 30 * min(d for _, d in moved):
+        ax.set_yscale("log")
+    else:
+        ax.set_ylim(bottom=0)
+    ax.set_xlabel("trial factor on strength [-]")
+    ax.set_ylabel("largest displacement at the end of the trial [m]")
+    found = stability["factor"]
+    answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
+    ax.set_title(f"{result['title']}: {answer}")
+    ax.grid(alpha=0.3)
+    ax.legend()
+    return fig
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("directory", type=pathlib.Path, help="results of a run")
+    parser.add_argument("--out", type=pathlib.Path, help="where to put the figures [beside them]")
+    options = parser.parse_args()
+    out = options.out or options.directory
+    result = json.loads((options.directory / "result.json").read_text(encoding="utf-8"))
+    with h5py.File(options.directory / "results.h5", "r", locking=False) as fields:
+        figures = {
+            "seepage": seepage_figure(result, fields) if "mesh" in fields else None,
+            "slip": slip_figure(result, fields) if "particles" in fields else None,
+            "trials": trials_figure(result) if "stability" in result else None,
+        }
+    for name, figure in figures.items():
+        if figure is not None:
+            figure.savefig(out / f"{name}.png", dpi=150, bbox_inches="tight")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/case_file.h"
+
+#include "app/version.h"
+#include "case_text.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace berm::app::test
+{
+namespace
+{
+std::string replaced(std::string text, const std::string& what, const std::string& with)
+{
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+ReadResult read_set(const std::vector<std::string>& overrides)
+{
+  return read_text(sound_case, {.overrides = overrides});
+}
+} // namespace
+
+TEST(CaseFile, ConvertsToSiAndRadians)
+{
+  const ReadResult result = read_text(sound_case);
+  ASSERT_TRUE(result.mistakes.empty()) << result.text();
+  const sph::Soil& soil = result.input.soils.at(0).mechanical;
+  EXPECT_DOUBLE_EQ(soil.density, 2000); // 19.62 kN/m3 / 9.81 m/s2
+  EXPECT_DOUBLE_EQ(soil.saturated_density, 2000);
+  EXPECT_DOUBLE_EQ(soil.cohesion, 10e3);
+  EXPECT_DOUBLE_EQ(soil.friction_angle, pi / 6);
+  EXPECT_DOUBLE_EQ(soil.dilation_angle, 0);
+  EXPECT_DOUBLE_EQ(soil.young_modulus, 1e8);
+  EXPECT_DOUBLE_EQ(soil.poisson_ratio, 0.3);
+  EXPECT_EQ(result.input.section.ground.size(), 4u);
+  EXPECT_EQ(result.input.section.base,
+            (Polyline{{0, -5}, {40, -5}})); // a level, over the ground's x
+}
+
+TEST(CaseFile, FillsDefaultsIn)
+{
+  const coupling::Case input = read_text(sound_case).input;
+  EXPECT_DOUBLE_EQ(input.search.lower, 0.5);
+  EXPECT_DOUBLE_EQ(input.search.upper, 3.0);
+  EXPECT_DOUBLE_EQ(input.search.tolerance, 0.01);
+  EXPECT_EQ(input.sph.spacing, 0);
+  EXPECT_EQ(input.sph.packing, "auto");
+  EXPECT_EQ(input.sph.cone, "fitted");
+  EXPECT_EQ(input.sph.threads, 0);
+  EXPECT_TRUE(input.stability);
+  EXPECT_TRUE(input.seepage.adaptive);
+  EXPECT_TRUE(input.output.probes.empty());
+  EXPECT_EQ(read_text(replaced(sound_case, "title = \"a slope\"", "")).input.title, "case");
+}
+
+TEST(CaseFile, KeepsTheTextAsItStands)
+{
+  const std::string text = replaced(sound_case, "format = 1", "# a comment\r\nformat = 1");
+  const ReadResult result = read_text(text, {.overrides = {"sph.spacing_m=1"}});
+  EXPECT_EQ(result.input.text, text);
+  EXPECT_EQ(result.input.overrides, std::vector<std::string>{"sph.spacing_m=1"});
+  EXPECT_DOUBLE_EQ(result.input.sph.spacing, 1);
+}
+
+TEST(CaseFile, TakesSoilsInTheFilesOrder)
+{
+  // By name the order would be clay, sand, zinc.
+  std::string soil = sound_case.substr(sound_case.find("unit_weight"));
+  soil = soil.substr(0, soil.find("[water]"));
+  const std::string text =
+      replaced(sound_case, "[soil.fill]",
+               "[[section.zone]]\nsoil = \"clay\"\npolygon_m = [[0,0],[9,0],[9,5]]\n"
+               "[soil.zinc]\n" +
+                   soil + "[soil.clay]\n" + soil + "[soil.sand]");
+  const ReadResult result = read_text(text);
+  ASSERT_TRUE(result.mistakes.empty()) << result.text();
+  ASSERT_EQ(result.input.soils.size(), 3u);
+  EXPECT_EQ(result.input.soils[0].name, "zinc");
+  EXPECT_EQ(result.input.soils[1].name, "clay");
+  EXPECT_EQ(result.input.soils[2].name, "sand");
+  EXPECT_EQ(result.input.section.zones.at(0).soil, 1);
+}
+
+TEST(CaseFile, ReportsEveryMistakeAtOnce)
+{
+  std::string text = replaced(sound_case, "friction_angle_deg = 30", "friction_angle_deg = 95");
+  text = replaced(text, "cohesion_kPa", "cohesion_Pa");
+  text = replaced(text, "[40, 0]]", "[32, 0], [20, -9]]");
+  const ReadResult result = read_text(text);
+  EXPECT_NE(result.about("soil.fill.friction_angle_deg"), nullptr);
+  EXPECT_NE(result.about("soil.fill.cohesion_Pa"), nullptr);
+  EXPECT_NE(result.about("soil.fill.cohesion_kPa"), nullptr);
+  EXPECT_NE(result.about("section.ground_m"), nullptr)
+      << "geometry is checked together with the rest";
+  EXPECT_TRUE(result.text().ends_with("mistakes; nothing was run.\n"));
+}
+
+TEST(CaseFile, GivesMistakesOfTheDrawingTheirLine)
+{
+  // The ground crosses itself; the pool lies below the ground at its end; the marked line is not on
+  // the outline.
+  const ReadResult crossing =
+      read_text(replaced(sound_case, "[12, 10], [32, 0]", "[32, 0], [12, 10]"));
+  ASSERT_NE(crossing.about("section.ground_m"), nullptr);
+  EXPECT_TRUE(crossing.places.find("section.ground_m").text.ends_with(":4"));
+
+  const ReadResult dry_pool =
+      read_text(replaced(sound_case, "\"none\"", "\"hydrostatic\"\nleft_level_m = 9"));
+  ASSERT_NE(dry_pool.about("water.left_level_m"), nullptr) << dry_pool.text();
+  EXPECT_TRUE(dry_pool.places.find("water.left_level_m").text.ends_with(":15"));
+
+  const ReadResult zone = read_text(
+      sound_case + "[[section.zone]]\nsoil = \"fill\"\npolygon_m = [[0,0],[9,5],[9,0],[0,5]]\n");
+  ASSERT_NE(zone.about("section.zone[1].polygon_m"), nullptr) << zone.text();
+  EXPECT_TRUE(zone.places.find("section.zone[1].polygon_m").text.ends_with(":17"));
+}
+
+TEST(CaseFile, ChecksRulesThatConcernSeveralKeys)
+{
+  const auto expect = [](const std::vector<std::string>& overrides, const std::string& key)
+  {
+    const ReadResult result = read_set(overrides);
+    EXPECT_NE(result.about(key), nullptr) << overrides.back() << "\n" << result.text();
+    EXPECT_NE(result.text().find("--set "), std::string::npos) << result.text();
+  };
+  expect({"soil.fill.dilation_angle_deg=31"}, "soil.fill.dilation_angle_deg");
+  expect({"soil.fill.saturated_unit_weight_kN_m3=18"}, "soil.fill.saturated_unit_weight_kN_m3");
+  expect({"section.outline_m=[[0,0],[1,0],[1,1]]"}, "section.outline_m");
+  expect({"section.zone[1]={soil=\"fil\", polygon_m=[[0,0],[9,0],[9,5]]}"}, "section.zone[1].soil");
+  expect({"water.pore_pressure=hydrostatic"}, "water.pore_pressure");
+  expect({"water.pore_pressure=hydrostatic", "water.free_surface_m=[[0,1],[0,2]]"},
+         "water.free_surface_m");
+  expect({"seepage.element_size_m=1", "seepage.refined_size_m=2"}, "seepage.refined_size_m");
+  expect({"stability.enabled=false"}, "stability.enabled");
+  expect({"sph.spacing_m=0.001"}, "sph.spacing_m");
+  expect({"sph.spacing_m=4"}, "sph.spacing_m");
+  expect({"output.probes_m=[[30,9]]"}, "output.probes_m");
+  expect({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], kind=\"head\"}"},
+         "seepage.boundary[1].value");
+  expect({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], kind=\"impervious\", value=1}"},
+         "seepage.boundary[1].value");
+  expect({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], kind=\"inflow\", value=2}"},
+         "seepage.boundary[1].value");
+}
+
+TEST(CaseFile, AsksForConductivityExactlyWhereSeepageIsAskedFor)
+{
+  const std::vector<std::string> seepage = {"water.pore_pressure=seepage",
+                                            "water.left_level_m=10.5"};
+  EXPECT_NE(read_set(seepage).about("soil.fill.conductivity_m_s"), nullptr);
+  EXPECT_NE(read_text(sound_case, {.overrides = {}, .seepage_only = true})
+                .about("soil.fill.conductivity_m_s"),
+            nullptr);
+  EXPECT_EQ(read_set({"sph.spacing_m=1"}).about("soil.fill.conductivity_m_s"), nullptr);
+}
+
+TEST(CaseFile, ReadsSeepageOrSaysThatItIsNotBuiltIn)
+{
+  const ReadResult result =
+      read_set({"water.pore_pressure=seepage", "water.left_level_m=10.5",
+                "soil.fill.conductivity_m_s=[1e-6,1e-7]", "soil.fill.conductivity_angle_deg=90"});
+  if (!seepage_built_in())
+  {
+    ASSERT_NE(result.about("water.pore_pressure"), nullptr);
+    EXPECT_NE(result.text().find("no seepage stage"), std::string::npos);
+    return;
+  }
+  ASSERT_TRUE(result.mistakes.empty()) << result.text();
+  const seepage::Conductivity& k = result.input.soils[0].conductivity.value();
+  EXPECT_DOUBLE_EQ(k.kx, 1e-6);
+  EXPECT_DOUBLE_EQ(k.ky, 1e-7);
+  EXPECT_DOUBLE_EQ(k.angle, pi / 2);
+  EXPECT_DOUBLE_EQ(result.input.section.left_pool_level.value(), 10.5);
+}
+
+TEST(CaseFile, LeavesPoolsOutWhereTheSoilIsDry)
+{
+  const ReadResult result = read_set({"water.left_level_m=10.5"});
+  ASSERT_TRUE(result.mistakes.empty()) << result.text();
+  EXPECT_FALSE(result.input.section.left_pool_level);
+}
+
+TEST(CaseFile, TellsFilesThatCannotBeReadFromMistakes)
+{
+  KeyPlaces places;
+  EXPECT_THROW((void)read_case("/nonexistent/case.toml", {}, places), IoError);
+  EXPECT_THROW((void)read_case("/", {}, places), IoError);
+  EXPECT_THROW((void)read_case("/dev/zero", {}, places), IoError) << "never ends";
+}
+
+TEST(CaseFile, NeverFallsOverWhateverTheFileHolds)
+{
+  const std::vector<std::string> texts = {"",
+                                          "\n",
+                                          std::string(1, '\0'),
+                                          "\xEF\xBB\xBF",
+                                          "soil = 3",
+                                          "section = []",
+                                          "section.zone = [1]",
+                                          "[[soil]]",
+                                          "[[soil.fill]]",
+                                          "[soil.\"a.b\"]",
+                                          "[section.\"zone[]\"]",
+                                          "[\"*\"]",
+                                          "seepage.boundary = {}",
+                                          "format = {}"};
+  for (const std::string& text : texts)
+    EXPECT_FALSE(read_text(text).mistakes.empty());
+
+  std::mt19937 random(20240501); // any seed: the same files each time
+  for (int round = 0; round < 1000; ++round)
+  {
+    std::string text = sound_case;
+    for (int change = 0; change < 1 + round % 8; ++change)
+    {
+      const std::size_t at = random() % text.size();
+      switch (random() % 3)
+      {
+      case 0:
+        text[at] = static_cast<char>(random() % 256);
+        break;
+      case 1:
+        text.erase(at, random() % 20);
+        break;
+      default:
+        text.insert(at, text.substr(random() % text.size(), random() % 30));
+        break;
+      }
+      if (text.empty())
+        text = "x";
+    }
+    (void)read_text(text); // mistakes or a case: never another exception
+  }
+}
+} // namespace berm::app::test

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/run_writer.h"
+
+#include "app/result_json.h"
+#include "case_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace berm::app::test
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A unit square of two triangles and three particles: small enough to know every number of it.
+coupling::Analysis small_analysis()
+{
+  coupling::Analysis analysis;
+  meshes::SectionInput drawing;
+  drawing.ground = {{0, 1}, {1, 1}};
+  drawing.base = {{0, 0}, {1, 0}};
+  analysis.section = meshes::build_section(drawing);
+
+  seepage::Solution flow;
+  flow.mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  flow.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  flow.mesh.triangle_soil = {0, 0};
+  flow.head = {1, 0.5, 0.5, 1};
+  flow.pore_pressure = {9810, 4905, -4905, 0};
+  flow.flux = {{5e-7, 0}, {5e-7, 0}};
+  flow.phreatic_lines = {{{0, 1}, {1, 0.5}}};
+  flow.exit_point = Vec2{1, 0.5};
+  flow.discharge = flow.inflow = flow.outflow = 5e-7;
+  flow.history = {{.unknowns = 4, .newton_steps = 3}};
+  flow.seconds = {.wall = 0.25, .cpu = 0.5};
+  analysis.seepage = flow;
+
+  coupling::Stability soil;
+  soil.particles = {.x = {0.2, 0.5, 0.8},
+                    .y = {0.5, 0.5, 0.5},
+                    .volume = {0.3, 0.4, 0.3},
+                    .density = {2000, 2000, 2000},
+                    .soil = {0, 0, 0},
+                    .spacing = 0.5,
+                    .packing = "columns"};
+  soil.pore_pressure = {4000, 2000, 0};
+  soil.settled = {.ux = {0, 0, 0},
+                  .uy = {0, 0, 0},
+                  .vx = {0, 0, 0},
+                  .vy = {0, 0, 0},
+                  .stress = std::vector<SymTensor>(3, {-1e3, -2e3, -1e3, 0}),
+                  .plastic_strain = {0, 0, 0}};
+  sph::State failing = soil.settled;
+  failing.ux = {0.25, 0.5, 0.75};
+  failing.plastic_strain = {0.1, 0.2, 0.3};
+  sph::FactorOfSafety& factor = soil.factor_of_safety;
+  factor.stands = 1.5;
+  factor.fails = 1.51;
+  factor.complete = true;
+  factor.trials.resize(2);
+  factor.trials[0].factor = 1.5;
+  factor.trials[0].outcome = sph::Outcome::stands;
+  factor.trials[0].state = soil.settled;
+  factor.trials[1].factor = 1.51;
+  factor.trials[1].outcome = sph::Outcome::fails;
+  factor.trials[1].state = failing;
+  soil.mechanism = sph::Mechanism{
+      .slip_line = {{0, 1}, {1, 0.5}}, .depth = 0.5, .kind = "deep slide", .side = "right"};
+  soil.particle_steps = 300;
+  analysis.stability = soil;
+  analysis.stages = {
+      {"seepage", {0.25, 0.5}}, {"settling", {1, 2}}, {"strength reduction", {2, 4}}};
+  return analysis;
+}
+
+coupling::Case small_case()
+{
+  coupling::Case input;
+  input.title = "a \"small\" case";
+  input.text = "format = 1\n";
+  input.water.pore_pressure = coupling::PorePressureKind::seepage;
+  input.soils.push_back(
+      {.name = "fill", .mechanical = {}, .conductivity = seepage::Conductivity{1e-6, 1e-6}});
+  input.output.probes = {{0.5, 0.25}};
+  return input;
+}
+
+/// Every file of a directory, by name.
+std::vector<std::string> names(const fs::path& directory)
+{
+  std::vector<std::string> list;
+  for (const auto& entry : fs::directory_iterator(directory))
+    list.push_back(entry.path().filename().string());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+} // namespace
+
+TEST(RunWriter, WritesTheFilesThatTheDocumentationLists)
+{
+  const TemporaryDirectory directory;
+  write_run(directory.path() / "a" / "b", small_case(), small_analysis());
+  EXPECT_EQ(names(directory.path() / "a" / "b"),
+            (std::vector<std::string>{"case.toml", "result.json", "results.h5", "results_mesh.xdmf",
+                                      "results_particles.xdmf"}));
+  EXPECT_EQ(contents(directory.path() / "a" / "b" / "case.toml"), "format = 1\n");
+}
+
+TEST(RunWriter, TheResultIsTheContractForScripts)
+{
+  const TemporaryDirectory directory;
+  write_run(directory.path(), small_case(), small_analysis());
+  const Json json = Json::parse(contents(directory.path() / "result.json"));
+  EXPECT_EQ(json.at("title"), "a \"small\" case");
+  EXPECT_EQ(json.at("complete"), true);
+  const Json& flow = json.at("seepage");
+  EXPECT_EQ(flow.at("discharge_m2_s"), 5e-7);
+  EXPECT_DOUBLE_EQ(flow.at("discharge_over_k_m").get<double>(), 0.5);
+  EXPECT_EQ(flow.at("exit_point_m"), Json::array({1.0, 0.5}));
+  EXPECT_EQ(flow.at("phreatic_line_m").size(), 2u);
+  // Head falls linearly from 1 m to 0.5 m; y = 0.25 m.
+  EXPECT_NEAR(flow.at("probes").at(0).at("head_m").get<double>(), 0.75, 1e-14);
+  const Json& stability = json.at("stability");
+  EXPECT_DOUBLE_EQ(stability.at("factor").get<double>(), 1.505);
+  EXPECT_EQ(stability.at("stands"), 1.5);
+  EXPECT_EQ(stability.at("fails"), 1.51);
+  EXPECT_EQ(stability.at("pore_pressure"), "seepage");
+  EXPECT_EQ(stability.at("side"), "right");
+  EXPECT_EQ(stability.at("mechanism").at("depth_m"), 0.5);
+  EXPECT_EQ(stability.at("trials").size(), 2u);
+  EXPECT_EQ(stability.at("trials").at(1).at("outcome"), "fails");
+  EXPECT_EQ(json.at("performance").at("particle_steps_per_cpu_second"), 50.0); // 300 in 2 + 4 s
+}
+
+TEST(RunWriter, AStageThatDidNotRunIsAbsent)
+{
+  const TemporaryDirectory directory;
+  coupling::Analysis analysis = small_analysis();
+  write_run(directory.path(), small_case(), analysis); // an earlier run that had both
+  analysis.seepage.reset();
+  write_run(directory.path(), small_case(), analysis);
+  const Json json = Json::parse(contents(directory.path() / "result.json"));
+  EXPECT_FALSE(json.contains("seepage"));
+  EXPECT_TRUE(json.contains("stability"));
+  EXPECT_FALSE(fs::exists(directory.path() / "results_mesh.xdmf"))
+      << "left over from the earlier run";
+}
+
+TEST(RunWriter, AnUndecidedSearchIsWrittenAsSuch)
+{
+  coupling::Analysis analysis = small_analysis();
+  auto& factor = analysis.stability->factor_of_safety;
+  factor.fails.reset();
+  factor.complete = false;
+  factor.reason = "why";
+  analysis.stability->mechanism.reset();
+  analysis.interrupted = true;
+  const Json json = result_json(small_case(), analysis);
+  EXPECT_EQ(json.at("complete"), false);
+  EXPECT_EQ(json.at("interrupted"), true);
+  EXPECT_TRUE(json.at("stability").at("factor").is_null());
+  EXPECT_TRUE(json.at("stability").at("fails").is_null());
+  EXPECT_EQ(json.at("stability").at("reason"), "why");
+}
+
+TEST(RunWriter, EqualRunsGiveEqualFiles)
+{
+  const TemporaryDirectory directory;
+  for (const char* name : {"a", "b"})
+    write_run(directory.path() / name, small_case(), small_analysis());
+  for (const std::string& name : names(directory.path() / "a"))
+    EXPECT_EQ(contents(directory.path() / "a" / name), contents(directory.path() / "b" / name))
+        << name;
+}
+
+TEST(RunWriter, RefusesNaNNamingFieldAndPlaceAndKeepsTheEarlierRun)
+{
+  const TemporaryDirectory directory;
+  write_run(directory.path(), small_case(), small_analysis());
+  const std::string earlier = contents(directory.path() / "result.json");
+
+  const auto refused = [&](const char* text, auto&& spoil)
+  {
+    coupling::Analysis analysis = small_analysis();
+    spoil(analysis);
+    try
+    {
+      write_run(directory.path(), small_case(), analysis);
+      ADD_FAILURE() << text << " was written";
+    }
+    catch (const NumericalError& e)
+    {
+      EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(contents(directory.path() / "result.json"), earlier);
+    EXPECT_EQ(names(directory.path()).size(), 5u) << "something written aside was left behind";
+  };
+  refused("/seepage/discharge_m2_s", [](auto& a) { a.seepage->discharge = NAN; });
+  refused("/stability/trials/1/velocity_measure",
+          [](auto& a) { a.stability->factor_of_safety.trials[1].velocity_measure = INFINITY; });
+  refused("/mesh/head[2] = nan at (1, 1) m", [](auto& a) { a.seepage->head[2] = NAN; });
+  refused("/particles/failing/displacement[1] = inf at (0.5, 0.5) m",
+          [](auto& a) { a.stability->factor_of_safety.trials[1].state.ux[1] = INFINITY; });
+  refused("/particles/settled/stress_xy[2]",
+          [](auto& a) { a.stability->settled.stress[2].xy = NAN; });
+}
+
+TEST(RunWriter, TellsWhereNothingCanBeWritten)
+{
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "file") << "x";
+  EXPECT_THROW(prepare_directory(directory.path() / "file"), IoError);
+  EXPECT_THROW(prepare_directory(directory.path() / "file" / "below"), IoError);
+  EXPECT_THROW(prepare_directory("/proc/berm"), IoError);
+}
+
+TEST(RunWriter, LeavesFilesOfOthersAlone)
+{
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "notes.txt") << "mine";
+  write_run(directory.path(), small_case(), small_analysis());
+  EXPECT_EQ(contents(directory.path() / "notes.txt"), "mine");
+}
+
+TEST(RunWriter, NamesTheDirectoryAfterTheCase)
+{
+  EXPECT_EQ(default_directory("cases/dam/dry.toml"), fs::path("results/dam_dry"));
+  EXPECT_EQ(default_directory("/a/b/../c/dry.toml"), fs::path("results/c_dry"));
+  EXPECT_EQ(default_directory("/dry.toml"), fs::path("results/dry"));
+}
+
+TEST(ResultJson, KeepsPointsOnOneLine)
+{
+  const Json json = {
+      {"a", 1}, {"b", {{1.5, 2.0}, {3.0, 4.0}}}, {"c", {{"d", nullptr}}}, {"e", Json::array()}};
+  const std::string text = json_text(json);
+  EXPECT_EQ(text, "{\n  \"a\": 1,\n  \"b\": [[1.5,2.0],[3.0,4.0]],\n  \"c\": {\n    \"d\": null\n  "
+                  "},\n  \"e\": []\n}");
+  EXPECT_EQ(Json::parse(text), json);
+}
+} // namespace berm::app::test
