@@ -79,7 +79,7 @@ bool check_points(const std::string& key, const Polyline& points, bool closed,
   return mistakes.size() == before;
 }
 
-/// Edges that cross, touch or fold back on each other.
+/// Edges that cross, touch or fold back on each other; one mistake for each edge is enough.
 void check_simple(const std::string& key, const Polyline& points, bool closed,
                   std::vector<Mistake>& mistakes)
 {
@@ -97,12 +97,14 @@ void check_simple(const std::string& key, const Polyline& points, bool closed,
         bad = bad || distance(c, a, b) <= tolerance || distance(b, c, d) <= tolerance;
       else if (j != i + 1)
         bad = distance(a, b, c, d) <= tolerance;
-      if (bad)
-        mistakes.push_back(
-            {key, text(a, b),
-             fmt::format("edge {} {} edge {}, {}", i + 1,
-                         crossing(a, b, c, d) ? "crosses" : "touches", j + 1, text(c, d)),
-             "edges that meet only at their common ends", ""});
+      if (!bad)
+        continue;
+      mistakes.push_back(
+          {key, text(a, b),
+           fmt::format("edge {} {} edge {}, {}", i + 1,
+                       crossing(a, b, c, d) ? "crosses" : "touches", j + 1, text(c, d)),
+           "edges that meet only at their common ends", ""});
+      break;
     }
 }
 
