@@ -13,19 +13,21 @@ namespace berm::meshes
 /// A region of the section with a soil of its own.
 struct Zone
 {
-  Index soil = 0;   ///< index into the case's list of soils
-  Polyline polygon; ///< simple polygon [m], either orientation; parts outside the section are ignored
+  Index soil = 0; ///< index into the case's list of soils
+  Polyline
+      polygon; ///< simple polygon [m], either orientation; parts outside the section are ignored
 };
 
 /// The section as the user drew it. Either `ground` and `base`, or `outline`.
 struct SectionInput
 {
-  Polyline ground;          ///< left to right, x never decreasing (vertical steps allowed) [m]
-  Polyline base;            ///< left to right, over the same x range; two points for a level [m]
-  Polyline outline;         ///< closed simple polygon [m], either orientation, used if ground is empty
-  std::vector<Zone> zones;  ///< a later zone covers an earlier one; uncovered parts are soil 0
+  Polyline ground;  ///< left to right, x never decreasing (vertical steps allowed) [m]
+  Polyline base;    ///< left to right, over the same x range; two points for a level [m]
+  Polyline outline; ///< closed simple polygon [m], either orientation, used if ground is empty
+  std::vector<Zone> zones; ///< a later zone covers an earlier one; uncovered parts are soil 0
   std::optional<double> left_pool_level, right_pool_level; ///< [m]
-  std::vector<Polyline> marked_lines; ///< lines on the outline that become stretches of their own [m]
+  std::vector<Polyline>
+      marked_lines; ///< lines on the outline that become stretches of their own [m]
 };
 
 enum class StretchKind
@@ -44,39 +46,43 @@ struct Stretch
 {
   StretchKind kind = StretchKind::ground;
   Index marked_line = -1; ///< which of SectionInput::marked_lines, for StretchKind::marked
-  std::string name;       ///< "ground", "left_pool", "right_pool", "base", "left_side", "right_side", "marked_1", ...
+  std::string name; ///< "ground", "left_pool", "right_pool", "base", "left_side", "right_side",
+                    ///< "marked_1", ...
 };
 
-/// A validated section. The ground is the upper chain of the outline from its smallest to its largest
-/// x; the base is the lower chain; vertical edges that join them at the ends are the sides.
+/// A validated section. The ground is the upper chain of the outline from its smallest to its
+/// largest x; the base is the lower chain; vertical edges that join them at the ends are the sides.
 struct Section
 {
-  Polyline outline;                   ///< closed, counter-clockwise; has vertices at waterlines, at the
-                                      ///< ends of marked lines and where zone borders meet the outline [m]
-  std::vector<Index> edge_stretch;    ///< edge k joins outline[k] and outline[k+1]; index into stretches
-  std::vector<Stretch> stretches;     ///< those that occur
-  std::vector<Zone> zones;            ///< counter-clockwise
-  Polyline ground;                    ///< left to right [m]
-  Polyline base;                      ///< left to right [m]
+  Polyline outline; ///< closed, counter-clockwise; has vertices at waterlines, at the
+                    ///< ends of marked lines and where zone borders meet the outline [m]
+  std::vector<Index>
+      edge_stretch; ///< edge k joins outline[k] and outline[k+1]; index into stretches
+  std::vector<Stretch> stretches;                          ///< those that occur
+  std::vector<Zone> zones;                                 ///< counter-clockwise
+  Polyline ground;                                         ///< left to right [m]
+  Polyline base;                                           ///< left to right [m]
   std::optional<double> left_pool_level, right_pool_level; ///< only if the pool touches the ground
   double x_min = 0, x_max = 0, y_min = 0, y_max = 0;       ///< [m]
-  double left_side_top = 0, right_side_top = 0; ///< upper end of the sides; equal to the base's end if none [m]
+  double left_side_top = 0,
+         right_side_top = 0; ///< upper end of the sides; equal to the base's end if none [m]
   bool single_valued = true; ///< ground and base are functions of x (vertical steps allowed)
 };
 
 /// @brief Check the drawing and derive outline, stretches and waterline vertices.
-/// A pool covers the ground from its end of the section to the first point that rises above its level.
-/// A marked line takes precedence over everything else, a later one over an earlier one. A level
-/// base that is wider than the ground is cut to it. A pool that covers all the ground is the left one
-/// if both levels are given and equal. A pool level at the ground's end is no pool.
-/// Tolerances, relative to the larger extent of the section: points within 1e-9 are one; zone corners
-/// within 1e-5 of the outline or of an earlier zone are moved onto it (less for thin zones); marked
-/// lines may lie 1e-4 off.
-/// Keys in messages count zones and boundaries from 1: section.zone[1].polygon_m,
-/// seepage.boundary[1].line_m.
-/// @throws InputError with every mistake found: crossing edges, wrong order, base above ground, zero
-///         area, zones that are not simple or lie outside, a pool below the ground at its end, a pool
-///         that flows over the section towards a different level, a marked line that is not on the outline.
+/// A pool covers the ground from its end of the section to the first point that rises above its
+/// level. A marked line takes precedence over everything else, a later one over an earlier one. A
+/// level base that is wider than the ground is cut to it. A pool that covers all the ground is the
+/// left one if both levels are given and equal. A pool level at the ground's end is no pool.
+/// Tolerances, relative to the larger extent of the section: points within 1e-9 are one; zone
+/// corners within 1e-5 of the outline or of an earlier zone are moved onto it (less for thin
+/// zones); marked lines may lie 1e-4 off. Keys in messages count zones and boundaries from 1:
+/// section.zone[1].polygon_m, seepage.boundary[1].line_m.
+/// @throws InputError with every mistake found: crossing edges, wrong order, base above ground,
+/// zero
+///         area, zones that are not simple or lie outside, a pool below the ground at its end, a
+///         pool that flows over the section towards a different level, a marked line that is not on
+///         the outline.
 [[nodiscard]] Section build_section(const SectionInput& input);
 
 /// @brief Level of the ground (highest, at a vertical step) or of the base (lowest) at x [m].
