@@ -20,8 +20,14 @@ struct ElementSize
 };
 
 /// @brief Triangulate the section with gmsh, in process, conforming to its outline and zone
-/// borders. Every outline vertex and zone corner becomes a node; each outer edge knows its stretch.
-/// Deterministic. The only user of gmsh; starts it and shuts it down on every call, silently.
-/// @throws InputError if the zones cannot be meshed; NotConverged if gmsh fails, with its message.
+/// borders. Every outline vertex and every zone corner that no later zone covers becomes a node;
+/// each outer edge knows its stretch. Where parts of the drawing come close to each other (thin
+/// zones, short edges) the triangles are finer than asked for, down to a tenth. From about 12 000
+/// nodes on, gmsh meshes more coarsely and edges are halved once or twice: the shapes stay, the
+/// time drops tenfold. Deterministic, serial. The only user of gmsh; starts it and shuts it down on
+/// every call, silently; gmsh leaves LC_NUMERIC at "C".
+/// @throws InputError for an edge length that is not positive; NotConverged if gmsh fails or its
+/// mesh
+///         does not cover the section to 1e-9, with the reason.
 [[nodiscard]] TriangleMesh triangulate(const Section& section, const ElementSize& size);
 } // namespace berm::meshes
