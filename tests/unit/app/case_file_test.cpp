@@ -231,8 +231,7 @@ TEST(CaseFile, NeverFallsOverWhateverTheFileHolds)
         text.insert(at, text.substr(random() % text.size(), random() % 30));
         break;
       }
-      if (text.empty())
-        text = "x";
+      text.append(text.empty(), 'x');
     }
     (void)read_text(text); // mistakes or a case: never another exception
   }

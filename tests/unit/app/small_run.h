@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "coupling/analysis.h"
+
+namespace berm::app::test
+{
+/// A unit square of two triangles and three particles: small enough to know every number of it.
+inline coupling::Analysis small_analysis()
+{
+  coupling::Analysis analysis;
+  meshes::SectionInput drawing;
+  drawing.ground = {{0, 1}, {1, 1}};
+  drawing.base = {{0, 0}, {1, 0}};
+  analysis.section = meshes::build_section(drawing);
+
+  seepage::Solution flow;
+  flow.mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  flow.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  flow.mesh.triangle_soil = {0, 0};
+  flow.head = {1, 0.5, 0.5, 1};
+  flow.pore_pressure = {9810, 4905, -4905, 0};
+  flow.flux = {{5e-7, 0}, {5e-7, 0}};
+  flow.phreatic_lines = {{{0, 1}, {1, 0.5}}};
+  flow.exit_point = Vec2{1, 0.5};
+  flow.discharge = flow.inflow = flow.outflow = 5e-7;
+  flow.history = {{.unknowns = 4, .newton_steps = 3}};
+  flow.seconds = {.wall = 0.25, .cpu = 0.5};
+  analysis.seepage = flow;
+
+  coupling::Stability soil;
+  soil.particles = {.x = {0.2, 0.5, 0.8},
+                    .y = {0.5, 0.5, 0.5},
+                    .volume = {0.3, 0.4, 0.3},
+                    .density = {2000, 2000, 2000},
+                    .soil = {0, 0, 0},
+                    .spacing = 0.5,
+                    .packing = "columns"};
+  soil.pore_pressure = {4000, 2000, 0};
+  soil.settled = {.ux = {0, 0, 0},
+                  .uy = {0, 0, 0},
+                  .vx = {0, 0, 0},
+                  .vy = {0, 0, 0},
+                  .stress = std::vector<SymTensor>(3, {-1e3, -2e3, -1e3, 0}),
+                  .plastic_strain = {0, 0, 0}};
+  sph::State failing = soil.settled;
+  failing.ux = {0.25, 0.5, 0.75};
+  failing.plastic_strain = {0.1, 0.2, 0.3};
+  sph::FactorOfSafety& factor = soil.factor_of_safety;
+  factor.stands = 1.5;
+  factor.fails = 1.51;
+  factor.complete = true;
+  factor.trials.resize(2);
+  factor.trials[0].factor = 1.5;
+  factor.trials[0].outcome = sph::Outcome::stands;
+  factor.trials[0].state = soil.settled;
+  factor.trials[1].factor = 1.51;
+  factor.trials[1].outcome = sph::Outcome::fails;
+  factor.trials[1].state = failing;
+  soil.mechanism = sph::Mechanism{
+      .slip_line = {{0, 1}, {1, 0.5}}, .depth = 0.5, .kind = "deep slide", .side = "right"};
+  soil.particle_steps = 300;
+  analysis.stability = soil;
+  analysis.stages = {
+      {"seepage", {0.25, 0.5}}, {"settling", {1, 2}}, {"strength reduction", {2, 4}}};
+  return analysis;
+}
+
+/// The case that goes with it.
+inline coupling::Case small_case()
+{
+  coupling::Case input;
+  input.title = "a \"small\" case";
+  input.text = "format = 1\n";
+  input.water.pore_pressure = coupling::PorePressureKind::seepage;
+  input.soils.push_back(
+      {.name = "fill", .mechanical = {}, .conductivity = seepage::Conductivity{1e-6, 1e-6}});
+  input.output.probes = {{0.5, 0.25}};
+  return input;
+}
+} // namespace berm::app::test
