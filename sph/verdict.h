@@ -3,6 +3,7 @@
 
 #include "sph/strength_reduction.h"
 
+#include <limits>
 #include <string>
 
 namespace berm::sph
@@ -30,7 +31,8 @@ private:
   bool decide(Outcome outcome, std::string reason);
 
   double s_previous_ = 0;
-  int not_decaying_ = 0; ///< windows running
+  double smallest_ = std::numeric_limits<double>::max(); ///< s, once the start has rung out
+  int not_decaying_ = 0;                                 ///< windows running
   Outcome outcome_ = Outcome::undecided;
   std::string reason_;
 };

@@ -59,6 +59,17 @@ TEST(Verdict, ASlowDecayIsWaitedFor)
   EXPECT_GT(r.time, 60);
 }
 
+TEST(Verdict, APlateauThatSinksIsNotAFailure)
+{
+  // The course of the embankment with seepage at F = 1.6133: a plateau of ten T0, then rest.
+  const auto plateau = [](double t) {
+    return t < 14 ? 0.03 * std::exp(-0.13 * t) : t < 25 ? 5.2e-3 - 1e-4 * (t - 14) : 5e-4;
+  };
+  const Result r = judge(plateau, small);
+  EXPECT_EQ(r.outcome, Outcome::stands);
+  EXPECT_EQ(r.time, 25);
+}
+
 TEST(Verdict, LargeDisplacementThatGoesOnFails)
 {
   const Result r =
