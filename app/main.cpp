@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/cli.h"
+#include "app/threads.h"
 #include "core/error.h"
 
 #include <cstdio>
@@ -17,6 +18,7 @@ int fail(int code, const char* what, const char* text)
 
 int main(int argc, char** argv)
 {
+  berm::app::wait_passively(argv);
   berm::app::KeyPlaces places;
   try
   {
