@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Claims F-2 to F-7 of docs/verification.md: published slopes, psi = 0, at 0.5 m. The bounds are
+/// the distance between our factors and the published ones as measured, rounded up to the next half
+/// percent beyond the bracket: they guard against getting worse, and say how far we are.
+#include "coupling/analysis.h"
+#include "tests/support/sections.h"
+
+#include <gtest/gtest.h>
+
+namespace berm::coupling
+{
+namespace
+{
+/// c [kPa], phi [degrees], gamma [kN/m3]
+sph::Soil soil(double c, double phi, double gamma)
+{
+  sph::Soil s = tests::embankment_soil();
+  s.density = s.saturated_density = gamma * 1e3 / gravity;
+  s.cohesion = c * 1e3;
+  s.friction_angle = phi * pi / 180;
+  return s;
+}
+
+Case slope(Polyline ground, double base, const sph::Soil& s, Polyline free_surface = {})
+{
+  Case c;
+  c.section.base = {{ground.front().x(), base}, {ground.back().x(), base}};
+  c.section.ground = std::move(ground);
+  c.soils = {{.name = "soil", .mechanical = s, .conductivity = {}}};
+  c.sph.spacing = 0.5;
+  if (!free_surface.empty())
+  {
+    c.water.pore_pressure = PorePressureKind::hydrostatic;
+    c.water.free_surface = std::move(free_surface);
+  }
+  return c;
+}
+
+Stability run(const Case& c)
+{
+  Observer silent;
+  return analyse(c, silent).stability.value();
+}
+
+void expect_factor(const Case& c, double reference, double relative)
+{
+  const auto F = run(c).factor_of_safety;
+  ASSERT_TRUE(F.complete) << F.reason;
+  EXPECT_NEAR(*F.factor() / reference, 1, relative);
+}
+
+const Polyline griffiths_lane = {{0, 10}, {12, 10}, {32, 0}};
+} // namespace
+
+TEST(PublishedSlopes, GriffithsLaneExample1)
+{
+  expect_factor(slope(griffiths_lane, 0, soil(10, 20, 20)), 1.355, 0.04); // FE reduction 1.34-1.37
+}
+
+TEST(PublishedSlopes, GriffithsLaneExample5HalfDrawnDown)
+{
+  expect_factor(slope(griffiths_lane, 0, soil(10, 20, 20), {{0, 5}, {32, 5}}), 1.35, 0.055);
+}
+
+TEST(PublishedSlopes, UndrainedSlopeOnItsOwnClay)
+{
+  expect_factor(slope({{0, 20}, {20, 20}, {40, 10}, {80, 10}}, 0, soil(50, 0, 20)), 1.47, 0.035);
+}
+
+TEST(PublishedSlopes, VerticalCutInClay)
+{
+  // gamma H / c = 3.775 .. 3.778, rigorous upper and lower bound
+  expect_factor(slope({{0, 10}, {20, 10}, {20, 20}, {40, 20}}, 0, soil(200 / 3.7765, 0, 20)), 1,
+                0.025);
+}
+
+TEST(PublishedSlopes, Acads1a)
+{
+  expect_factor(slope({{20, 25}, {30, 25}, {50, 35}, {70, 35}}, 20, soil(3, 19.6, 20)), 1.0, 0.05);
+}
+
+TEST(PublishedSlopes, SubmergedSlopeDoesNotFeelTheDepthOfThePool)
+{
+  const double foot = 0.3048;
+  const sph::Soil s = soil(100 * 0.0478803, 20, 128 * 0.157087);
+  const auto submerged = [&](double level)
+  {
+    return slope(
+        {{0, 15 * foot}, {30 * foot, 15 * foot}, {105 * foot, 45 * foot}, {140 * foot, 45 * foot}},
+        0, s, {{0, level * foot}, {140 * foot, level * foot}});
+  };
+  const auto shallow = run(submerged(75)).factor_of_safety;
+  const auto deep = run(submerged(105)).factor_of_safety;
+  ASSERT_TRUE(shallow.complete && deep.complete);
+  EXPECT_EQ(*shallow.stands, *deep.stands); // only differences of pressure enter
+  EXPECT_EQ(*shallow.fails, *deep.fails);
+  EXPECT_NEAR(*deep.factor() / 1.60, 1, 0.03);
+}
+
+TEST(PublishedSlopes, CohesionlessSlopeFailsAsASkinAtItsAngle)
+{
+  const double beta = 20 * pi / 180;
+  const Stability s =
+      run(slope({{0, 5}, {20, 5}, {20 + 10 / std::tan(beta), 15}, {70, 15}}, 0, soil(0, 35, 20)));
+  ASSERT_TRUE(s.factor_of_safety.complete);
+  EXPECT_NEAR(*s.factor_of_safety.factor() / (std::tan(35 * pi / 180) / std::tan(beta)), 1, 0.02);
+  ASSERT_TRUE(s.mechanism.has_value());
+  EXPECT_EQ(s.mechanism->kind, "surface skin");
+}
+} // namespace berm::coupling
