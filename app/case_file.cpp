@@ -276,7 +276,8 @@ private:
     return std::none_of(mistakes_.begin(), mistakes_.end(),
                         [](const Mistake& m)
                         {
-                          return m.key.starts_with("section") || m.key.starts_with("water") ||
+                          return m.key.starts_with("section") || m.key == "water.left_level_m" ||
+                                 m.key == "water.right_level_m" ||
                                  m.key.starts_with("seepage.boundary");
                         });
   }
