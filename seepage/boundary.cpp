@@ -171,7 +171,7 @@ std::vector<double> face_weight(const meshes::TriangleMesh& mesh, std::span<cons
     const auto& ends = mesh.boundary[static_cast<std::size_t>(edge)];
     const Vec2& a = mesh.nodes[static_cast<std::size_t>(ends[0])];
     const Vec2& b = mesh.nodes[static_cast<std::size_t>(ends[1])];
-    const double reach = 4 * (b - a).norm();
+    const double reach = (b - a).norm();
     queue.assign(ends.begin(), ends.end());
     for (const Index i : ends)
       visited_by[static_cast<std::size_t>(i)] = edge;

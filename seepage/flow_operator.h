@@ -26,15 +26,14 @@ class FlowOperator
 public:
   /// @param[in] conductivity  Of each triangle, shape (m).
   /// @param[in] weight        w of docs/theory.md eq. (2.5) at the nodes, shape (n).
-  /// @param[in] k_min         Relative conductivity far above the free surface [-].
   FlowOperator(const meshes::TriangleMesh& mesh, std::span<const ConductivityTensor> conductivity,
-               std::span<const double> weight, double k_min);
+               std::span<const double> weight);
   ~FlowOperator();
   FlowOperator(const FlowOperator&) = delete;
   FlowOperator& operator=(const FlowOperator&) = delete;
 
-  /// @brief Set eps of docs/theory.md eq. (2.5) in each triangle [m], shape (m).
-  void set_smoothing(std::span<const double> eps);
+  /// @brief Set eps [m] and k_min [-] of docs/theory.md eq. (2.5) in each triangle, shape (m).
+  void set_relative_conductivity(std::span<const double> eps, std::span<const double> k_min);
 
   /// @brief Water that has to enter at each node for this pressure head [m2/s] (docs/theory.md eq.
   /// (2.6)).

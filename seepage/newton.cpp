@@ -14,13 +14,37 @@ namespace berm::seepage
 {
 namespace
 {
-constexpr double final_tolerance = 1e-8; ///< |F_free| / q_in of the answer [-]
-constexpr double stage_tolerance = 1e-3; ///< the same in an intermediate stage
-constexpr double rounding = 1e-13;  ///< flows below this share of the flow scale are rounding [-]
-constexpr int steps_per_stage = 60; ///< Newton steps before a stage counts as failed
+constexpr double final_tolerance = 1e-8; ///< sum |F_free| / q of the answer [-]
+constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
+constexpr double rounding = 1e-13; ///< flows below this share of the flow scale are rounding [-]
 constexpr int smallest_step_halvings = 6; ///< backtracking stops at 2^-6
-constexpr double stage_factor = 0.25;     ///< of eps from stage to stage, larger after a failed one
-constexpr double largest_stage_factor = 0.9;
+/// Backtracking only stops a step that makes the residual this much larger: with the steps of eq.
+/// (2.9) the way to the solution often leads over a larger one.
+constexpr double growth_allowed = 10;
+constexpr double largest_drying = 2; ///< of a node in one step, over eps
+
+// A stage has failed that is not done by so many steps, that has not halved its residual by so
+// many, or whose residual grows by so much.
+constexpr int steps_per_stage = 40, steps_to_halve = 12;
+constexpr double divergence = 1e3;
+
+constexpr double stage_factor = 0.25;      ///< of eps from level to level
+constexpr double first_k_min = 1e-4;       ///< until eps is final [-]
+constexpr double stage_factor_k_min = 0.1; ///< of k_min from level to level after that
+constexpr int bisections = 4;              ///< how often the way to a level that failed is halved
+constexpr double first_growth = 4;         ///< of the first eps if the first stage fails
+constexpr int first_tries = 4;
+
+/// How far the continuation has come: lower bounds of eps and k_min.
+struct Level
+{
+  double eps = 0, k_min = 0;
+};
+
+Level between(const Level& a, const Level& b)
+{
+  return {.eps = std::sqrt(a.eps * b.eps), .k_min = std::sqrt(a.k_min * b.k_min)};
+}
 
 struct Totals
 {
@@ -31,82 +55,108 @@ struct Totals
 class Iteration
 {
 public:
-  Iteration(FlowOperator& flow, const NodeConditions& conditions, std::span<const double> eps_final,
-            double flow_scale, Start start, Observer& observer)
-      : flow_(flow), conditions_(conditions), eps_final_(eps_final),
+  Iteration(FlowOperator& flow, const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
+            const Smoothing& smoothing, double flow_scale, Start start, Observer& observer)
+      : flow_(flow), mesh_(mesh), conditions_(conditions), smoothing_(smoothing),
         flow_floor_(rounding * flow_scale), p_(std::move(start.p)), active_(p_.size(), 0),
         fixed_(p_.size(), 0), observer_(observer)
   {
+    const double p_zero = -1e-9 * start.smoothing; // rounding of an interpolated zero
     for (std::size_t i = 0; i < p_.size(); ++i)
     {
       if (conditions_.kind[i] == NodeKind::head)
         p_[i] = conditions_.pressure_head[i];
-      if (conditions_.kind[i] == NodeKind::face && p_[i] >= 0)
+      if (conditions_.kind[i] == NodeKind::face && p_[i] >= p_zero)
         activate(i);
       fixed_[i] = conditions_.kind[i] == NodeKind::head || active_[i];
     }
+    history_.unknowns = static_cast<Index>(p_.size());
   }
 
-  /// Newton steps at one smoothing until converged; false if they do not get there.
-  bool stage(double eps, double tolerance)
+  /// From one level, at which the iterate is converged, to the next; halfway first if that fails.
+  bool advance(const Level& from, const Level& to, double tolerance, int halvings)
   {
-    set_smoothing(eps);
+    const std::vector<double> p = p_;
+    const std::vector<std::uint8_t> active = active_, fixed = fixed_;
+    if (stage(to, tolerance))
+      return true;
+    if (halvings == 0)
+      return false;
+    p_ = p;
+    active_ = active;
+    fixed_ = fixed;
+    const Level middle = between(from, to);
+    return advance(from, middle, stage_tolerance, halvings - 1) &&
+           advance(middle, to, tolerance, halvings - 1);
+  }
+
+  /// The first stage; if it fails, from a larger smoothing, where the problem is almost linear.
+  bool start(Level& level)
+  {
+    const std::vector<double> p = p_;
+    const std::vector<std::uint8_t> active = active_, fixed = fixed_;
+    for (int attempt = 0; attempt < first_tries; ++attempt, level.eps *= first_growth)
+    {
+      if (stage(level, stage_tolerance))
+        return true;
+      p_ = p;
+      active_ = active;
+      fixed_ = fixed;
+    }
+    return false;
+  }
+
+  Field finish()
+  {
+    const Totals now = totals();
+    const bool flows = std::max(now.inflow, now.outflow) > flow_floor_;
+    history_.residual = flows ? now.imbalance / std::max(now.inflow, now.outflow) : 0;
+    history_.discharge = flows ? now.inflow : 0;
+    return {.p = std::move(p_),
+            .entering = std::move(F_),
+            .active = std::move(active_),
+            .inflow = flows ? now.inflow : 0,
+            .outflow = flows ? now.outflow : 0,
+            .history = history_};
+  }
+
+  [[nodiscard]] const std::string& log() const { return log_; }
+
+private:
+  /// Newton steps at one level until converged; false if they do not get there.
+  bool stage(const Level& level, double tolerance)
+  {
+    set_level(level);
     evaluate();
+    double first = 0;
     for (int step = 0; step < steps_per_stage; ++step)
     {
       if (observer_.stop_requested())
-        throw NotConverged("seepage: interrupted\n" + log_);
+        throw NotConverged("seepage: interrupted; the Newton history so far:\n" + log_);
       const int changes = update_active_set();
       if (changes > 0)
         evaluate();
       const Totals now = totals();
-      const double flow = std::max(now.inflow, now.outflow);
-      if (!std::isfinite(now.imbalance))
-        return false;
+      const double flow = std::max({now.inflow, now.outflow, flow_floor_});
+      const double residual = now.imbalance / flow;
       log_ += fmt::format(
-          "  eps {:.3g} m, step {}: residual {:.2e}, q {:.6g}, {} changes of the face\n", eps, step,
-          now.imbalance / std::max(flow, flow_floor_), now.inflow, changes);
+          "  eps {:.3g} m, k_min {:.1e}, step {}: residual {:.2e}, q {:.6g} m2/s, {} changes "
+          "of the seepage face\n",
+          level.eps, level.k_min, step, residual, now.inflow, changes);
       const bool small = now.imbalance < std::max(tolerance * flow, flow_floor_);
       if (small && changes == 0)
         return true;
-      newton_step(changes > 0);
+      if (step == 0)
+        first = residual;
+      if (!(residual < divergence * std::max(first, 1.0)) ||
+          (step >= steps_to_halve && residual > 0.5 * first))
+        return false;
+      newton_step();
       ++history_.newton_steps;
     }
     return false;
   }
 
-  [[nodiscard]] const std::vector<double>& p() const { return p_; }
-  [[nodiscard]] const std::string& log() const { return log_; }
-
-  /// Back to an earlier pressure; the active set follows from it.
-  void restore(const std::vector<double>& p, const std::vector<std::uint8_t>& active)
-  {
-    p_ = p;
-    active_ = active;
-    for (std::size_t i = 0; i < p_.size(); ++i)
-      fixed_[i] = conditions_.kind[i] == NodeKind::head || active_[i];
-  }
-  [[nodiscard]] const std::vector<std::uint8_t>& active() const { return active_; }
-
-  Field finish()
-  {
-    const Totals now = totals();
-    const double flow = std::max(now.inflow, now.outflow);
-    history_.unknowns = static_cast<Index>(p_.size());
-    history_.residual = flow > flow_floor_ ? now.imbalance / flow : 0;
-    history_.discharge = now.inflow;
-    Field field{.p = p_,
-                .entering = F_,
-                .active = active_,
-                .inflow = now.inflow,
-                .outflow = now.outflow,
-                .history = history_};
-    for (std::size_t i = 0; i < p_.size(); ++i)
-      field.entering[i] += conditions_.load[i];
-    return field;
-  }
-
-private:
   void activate(std::size_t i)
   {
     active_[i] = 1;
@@ -114,12 +164,23 @@ private:
     p_[i] = 0;
   }
 
-  void set_smoothing(double eps)
+  void set_level(const Level& level)
   {
-    eps_.assign(eps_final_.begin(), eps_final_.end());
-    for (double& e : eps_)
-      e = std::max(e, eps);
-    flow_.set_smoothing(eps_);
+    std::vector<double> eps = smoothing_.eps, k_min = smoothing_.k_min;
+    eps_.assign(p_.size(), 0);
+    k_min_.assign(p_.size(), 0);
+    for (std::size_t t = 0; t < eps.size(); ++t)
+    {
+      eps[t] = std::max(eps[t], level.eps);
+      k_min[t] = std::max(k_min[t], level.k_min);
+      for (const Index node : mesh_.triangles[t])
+      {
+        const auto i = static_cast<std::size_t>(node);
+        eps_[i] = std::max(eps_[i], eps[t]);
+        k_min_[i] = std::max(k_min_[i], k_min[t]);
+      }
+    }
+    flow_.set_relative_conductivity(eps, k_min);
   }
 
   /// F: water that enters at the nodes beyond what is prescribed there.
@@ -130,9 +191,9 @@ private:
       F_[i] -= conditions_.load[i];
   }
 
-  /// Primal-dual active set, docs/theory.md eq. (2.7). At an active node p = 0, at another the
-  /// outflow is not defined before convergence and counts as none: the scale of the pressure term
-  /// drops out.
+  /// Primal-dual active set, docs/theory.md eq. (2.8). An active node has p = 0; the outflow of
+  /// another is a residual, not a flow, and counts as none: the scale of the pressure term drops
+  /// out.
   int update_active_set()
   {
     int changes = 0;
@@ -180,30 +241,32 @@ private:
     return std::sqrt(sum);
   }
 
-  /// p <- p - s J^-1 F with the largest s = 1, 1/2, ... that lowers |F|; s = 1 if the set just
-  /// changed, for |F| before and after are then not of the same problem.
-  void newton_step(bool set_changed)
+  /// p <- p - s J^-1 F with the largest s = 1, 1/2, ... that keeps |F| in bounds, the set held
+  /// fixed.
+  void newton_step()
   {
     const double before = residual_norm();
-    flow_.correction(p_, fixed_, F_, d_);
-    const std::vector<double> p_old = p_;
+    flow_.correction(p_, fixed_, F_, correction_);
+    const std::vector<double> p = p_;
     double s = 1;
     for (int halving = 0;; ++halving, s /= 2)
     {
       for (std::size_t i = 0; i < p_.size(); ++i)
-        p_[i] = p_old[i] - s * d_[i];
+        if (!fixed_[i])
+          p_[i] = moved_pressure(p[i], -s * correction_[i], eps_[i], k_min_[i]);
       evaluate();
-      if (set_changed || residual_norm() <= (1 - 1e-4 * s) * before ||
-          halving == smallest_step_halvings)
+      if (residual_norm() <= growth_allowed * before || halving == smallest_step_halvings)
         return;
     }
   }
 
   FlowOperator& flow_;
+  const meshes::TriangleMesh& mesh_;
   const NodeConditions& conditions_;
-  std::span<const double> eps_final_;
+  const Smoothing& smoothing_;
   double flow_floor_;
-  std::vector<double> p_, F_, d_, eps_;
+  std::vector<double> p_, F_, correction_;
+  std::vector<double> eps_, k_min_; ///< of the level, largest around each node
   std::vector<std::uint8_t> active_, fixed_;
   SolveHistory history_;
   std::string log_;
@@ -211,42 +274,57 @@ private:
 };
 } // namespace
 
-Field solve_field(FlowOperator& flow, const NodeConditions& conditions,
-                  std::span<const double> eps_final, double flow_scale, Start start,
-                  Observer& observer)
+double relative_conductivity(double p, double w, double eps, double k_min)
 {
-  const double eps_end = *std::ranges::min_element(eps_final);
-  const double eps_start = std::max(start.smoothing, eps_end);
-  Iteration iteration(flow, conditions, eps_final, flow_scale, std::move(start), observer);
+  return k_min + (1 - k_min) * std::exp(std::min(p - eps * w, 0.0) / eps);
+}
 
-  // From eps_start down to eps_end. A stage that fails is tried again closer to the last good one.
-  double good = eps_start, eps = eps_start, factor = stage_factor;
-  bool any_good = false;
-  std::vector<double> good_p = iteration.p();
-  std::vector<std::uint8_t> good_active = iteration.active();
-  for (;;)
+double moved_pressure(double p, double correction, double eps, double k_min)
+{
+  // Below p_dry the floor k_min governs and the flow is linear in p.
+  const double p_dry = eps * (1 + std::log(k_min));
+  if (correction <= 0)
+    return p < p_dry ? p + correction
+                     : std::max(p + correction, std::min(p, eps) - largest_drying * eps);
+  if (p >= eps)
+    return p + correction;
+  const double linear = std::clamp(p_dry - p, 0.0, correction);
+  if (linear == correction)
+    return p + correction;
+  p += linear;
+  // U = int k_r dp is eps exp((p - eps) / eps) below eps, p above; dU = k_r dp.
+  const double u = std::exp((p - eps) / eps) * (eps + correction - linear);
+  return u < eps ? eps + eps * std::log(u / eps) : u;
+}
+
+Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
+                  const NodeConditions& conditions, const Smoothing& smoothing, double flow_scale,
+                  Start start, Observer& observer)
+{
+  const Level end{.eps = std::ranges::min(smoothing.eps),
+                  .k_min = std::ranges::min(smoothing.k_min)};
+  Level level{.eps = std::max(start.smoothing, end.eps), .k_min = std::max(first_k_min, end.k_min)};
+  const double way = std::log(level.eps / end.eps) + std::log(level.k_min / end.k_min) + 1e-12;
+  Iteration iteration(flow, mesh, conditions, smoothing, flow_scale, std::move(start), observer);
+
+  // eps first, then k_min, each in steps; the last one to the tolerance of the answer.
+  bool good = iteration.start(level);
+  for (bool last = false; good && !last;)
   {
-    const bool last = eps <= eps_end;
-    observer.progress(std::log(eps_start / eps) / std::max(std::log(eps_start / eps_end), 1e-12),
-                      fmt::format("smoothing {:.3g} m", eps));
-    if (iteration.stage(eps, last ? final_tolerance : stage_tolerance))
-    {
-      if (last)
-        return iteration.finish();
-      any_good = true;
-      good = eps;
-      good_p = iteration.p();
-      good_active = iteration.active();
-    }
+    Level next = level;
+    if (level.eps > end.eps)
+      next.eps = std::max(stage_factor * level.eps, end.eps);
     else
-    {
-      factor = any_good ? std::sqrt(factor) : 2 * factor;
-      if (!any_good || factor > largest_stage_factor)
-        throw NotConverged("seepage: the Newton iteration did not converge; its history:\n" +
-                           iteration.log());
-      iteration.restore(good_p, good_active);
-    }
-    eps = std::max(factor * good, eps_end);
+      next.k_min = std::max(stage_factor_k_min * level.k_min, end.k_min);
+    last = next.eps == end.eps && next.k_min == end.k_min;
+    observer.progress(1 - (std::log(next.eps / end.eps) + std::log(next.k_min / end.k_min)) / way,
+                      fmt::format("free surface smoothed over {:.3g} m", next.eps));
+    good = iteration.advance(level, next, last ? final_tolerance : stage_tolerance, bisections);
+    level = next;
   }
+  if (!good)
+    throw NotConverged("seepage: the Newton iteration did not converge; its history:\n" +
+                       iteration.log());
+  return iteration.finish();
 }
 } // namespace berm::seepage

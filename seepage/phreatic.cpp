@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 #include <utility>
 
@@ -30,6 +31,15 @@ struct Crossing
 
 std::vector<Polyline> zero_contours(const meshes::TriangleMesh& mesh, std::span<const double> p)
 {
+  std::vector<bool> wet(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i)
+    wet[i] = p[i] > 0;
+  for (const auto& triangle : mesh.triangles)
+    if (std::ranges::any_of(triangle, [&](Index i) { return p[static_cast<std::size_t>(i)] > 0; }))
+      for (const Index i : triangle)
+        if (p[static_cast<std::size_t>(i)] == 0)
+          wet[static_cast<std::size_t>(i)] = true;
+
   std::vector<Crossing> crossings;
   std::unordered_map<std::uint64_t, std::size_t> crossing_of_edge;
   const auto crossing = [&](Index i, Index j)
@@ -40,9 +50,12 @@ std::vector<Polyline> zero_contours(const meshes::TriangleMesh& mesh, std::span<
     const auto [entry, is_new] = crossing_of_edge.try_emplace(key, crossings.size());
     if (is_new)
     {
-      const auto a = static_cast<std::size_t>(low), b = static_cast<std::size_t>(high);
-      crossings.push_back(
-          {.point = mesh.nodes[a] + p[a] / (p[a] - p[b]) * (mesh.nodes[b] - mesh.nodes[a])});
+      // From the wet end, so that a wet node with p = 0 is hit exactly.
+      auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (!wet[a])
+        std::swap(a, b);
+      const double share = p[a] > 0 ? p[a] / (p[a] - p[b]) : 0;
+      crossings.push_back({.point = mesh.nodes[a] + share * (mesh.nodes[b] - mesh.nodes[a])});
     }
     return entry->second;
   };
@@ -54,7 +67,7 @@ std::vector<Polyline> zero_contours(const meshes::TriangleMesh& mesh, std::span<
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Index i = triangle[k], j = triangle[(k + 1) % 3];
-      if ((p[static_cast<std::size_t>(i)] >= 0) != (p[static_cast<std::size_t>(j)] >= 0))
+      if (wet[static_cast<std::size_t>(i)] != wet[static_cast<std::size_t>(j)])
         ends[count++] = crossing(i, j);
     }
     if (count == 2)
@@ -102,5 +115,53 @@ std::vector<Polyline> zero_contours(const meshes::TriangleMesh& mesh, std::span<
 
   std::ranges::stable_sort(lines, std::ranges::greater{}, length);
   return lines;
+}
+
+std::optional<Vec2> find_exit(const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
+                              std::span<const double> entering, std::vector<Polyline>& contours)
+{
+  if (contours.empty())
+    return std::nullopt;
+  const auto node = [&](Index i) -> const Vec2& { return mesh.nodes[static_cast<std::size_t>(i)]; };
+  const auto outflow = [&](Index i)
+  { return std::max(-entering[static_cast<std::size_t>(i)], 0.0); };
+
+  // A: the lower end of the longest contour that is a node of the face.
+  Index last = -1;
+  for (const Index edge : conditions.face_edges)
+    for (const Index i : mesh.boundary[static_cast<std::size_t>(edge)])
+      if ((node(i) == contours.front().front() || node(i) == contours.front().back()) &&
+          conditions.kind[static_cast<std::size_t>(i)] == NodeKind::face &&
+          (last < 0 || node(i).y() < node(last).y()))
+        last = i;
+  if (last < 0)
+    return std::nullopt;
+
+  // B: its neighbour on the boundary where more water comes out, and the length of face around B.
+  Index before = -1;
+  for (const auto& [i, j] : mesh.boundary)
+    if (i == last || j == last)
+    {
+      const Index other = i == last ? j : i;
+      if (before < 0 || outflow(other) > outflow(before))
+        before = other;
+    }
+  double around = 0;
+  for (const Index edge : conditions.face_edges)
+  {
+    const auto& [i, j] = mesh.boundary[static_cast<std::size_t>(edge)];
+    if (i == before || j == before)
+      around += 0.5 * (node(j) - node(i)).norm();
+  }
+  const double length = (node(last) - node(before)).norm();
+  double share = 0.5;
+  if (conditions.kind[static_cast<std::size_t>(before)] == NodeKind::face && outflow(before) > 0)
+    share = std::min(std::sqrt(2 * outflow(last) * around / (outflow(before) * length)), 1.0);
+  const Vec2 exit = node(before) + share * (node(last) - node(before));
+  for (Polyline& contour : contours)
+    for (Vec2* end : {&contour.front(), &contour.back()})
+      if (*end == node(last))
+        *end = exit;
+  return exit;
 }
 } // namespace berm::seepage

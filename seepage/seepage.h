@@ -32,10 +32,12 @@ struct Boundary
 
 struct Settings
 {
-  double element_size =
-      0; ///< edge length away from the free surface [m]; 0: chosen from the section
+  /// Edge length away from the free surface [m]. 0: a 20th of the section's height or a 12th of the
+  /// drop of the water, whichever is less, but not so small that the coarse mesh exceeds 6000
+  /// triangles.
+  double element_size = 0;
   double refined_size =
-      0; ///< edge length along the free surface when adaptive [m]; 0: element_size / 8
+      0; ///< edge length along the free surface when adaptive [m]; 0: element_size / 12
   bool adaptive = true; ///< solve coarse, refine along the free surface, solve again
 };
 
@@ -46,18 +48,26 @@ struct Settings
                                                         const std::vector<Boundary>& marked);
 
 /// @brief Solve steady unconfined Darcy flow on the section: mesh, solve, refine, solve.
-/// docs/theory.md section 2.
+/// Saturated flow with a sharp free surface; docs/theory.md section 2. When adaptive, the second
+/// mesh is refined along the free surface and at singular corners, and a third follows if the free
+/// surface moved out of the refined band. A boundary of kind head acts as a potential seepage face
+/// above its level. MPI and PETSc start with the first solve and end with the process. Serial; the
+/// same input gives the same bits.
 /// @param[in] conductivity  One entry for each soil index that the section uses.
 /// @param[in] boundary      One entry for each stretch of the section.
-/// @throws NotConverged if Newton, the active set or the water balance does not; with the history.
-/// @throws InputError if no head is given anywhere.
+/// @throws NotConverged if Newton, the active set or the water balance does not, or if the observer
+///         asks to stop; with the history.
+/// @throws InputError if no head is given anywhere, or all lie below their boundary; if a
+/// conductivity
+///         is missing or not positive.
+/// @throws NumericalError naming the place if the pressure is not finite.
 [[nodiscard]] Solution solve(const meshes::Section& section,
                              const std::vector<Conductivity>& conductivity,
                              const std::vector<Boundary>& boundary, const Settings& settings,
                              Observer& observer);
 
 /// @brief The same on a given mesh, without refinement.
-[[nodiscard]] Solution solve_on_mesh(const meshes::TriangleMesh& mesh, std::size_t stretches,
+[[nodiscard]] Solution solve_on_mesh(const meshes::TriangleMesh& mesh,
                                      const std::vector<Conductivity>& conductivity,
                                      const std::vector<Boundary>& boundary, Observer& observer);
 } // namespace berm::seepage

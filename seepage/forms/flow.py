@@ -3,7 +3,6 @@
 from ufl import (
     CellVolume,
     Coefficient,
-    Constant,
     FiniteElement,
     TestFunction,
     TrialFunction,
@@ -28,7 +27,7 @@ p = Coefficient(linear)  # pressure head [m]
 w = Coefficient(linear)  # 1 inside, 0 on what may become a seepage face [-]
 eps = Coefficient(constant)  # smoothing of the relative conductivity [m]
 k_sat = Coefficient(constant_tensor)  # k_xx, k_xy, k_yy [m/s]
-k_min = Constant(triangle)  # relative conductivity far above the free surface [-]
+k_min = Coefficient(constant)  # relative conductivity far above the free surface [-]
 
 v = TestFunction(linear)
 dp = TrialFunction(linear)
