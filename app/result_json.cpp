@@ -229,7 +229,8 @@ std::string json_text(const Json& json, std::size_t indent)
                   [](const Json& element)
                   { return element.is_object() || (element.is_array() && element.size() > 2); });
   if (!json.is_structured() || json.empty() || (json.is_array() && !nested))
-    return json.dump(); // points and lists of them stay on one line
+    // Points and lists of them stay on one line. A path need not be UTF-8.
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
   for (const auto& [key, value] : json.items())
     text +=

@@ -1,14 +1,38 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/toml_document.h"
 
-#include <fmt/format.h>
+#include "app/toml_scan.h"
 
-#include <toml++/toml.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+
+namespace
+{
+/// toml++ asserts where some malformed documents lead it: to be told as a syntax error.
+struct TomlAssertion : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+constexpr void toml_assert(bool holds)
+{
+  if (!holds)
+    throw TomlAssertion("this is not TOML");
+}
+} // namespace
+
+// Without NDEBUG toml++ checks its assumptions; with it, it may build on ones that do not hold.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_MAX_NESTED_VALUES 16 // brackets; our deepest value has three
+#define TOML_ASSERT(expression) toml_assert(static_cast<bool>(expression))
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace berm::app
 {
@@ -69,33 +93,6 @@ TomlValue convert(const toml::node& node, const std::string& name, int fixed_ord
   return value;
 }
 
-/// Longest run of parts in a dotted key. Without a bound, a key of 100000 parts makes tables so
-/// deep that taking them down again overflows the stack; toml++ bounds only brackets.
-std::size_t most_dots_in_a_row(std::string_view text)
-{
-  std::size_t most = 0, dots = 0;
-  bool comment = false, line_start = true;
-  for (const char c : text)
-  {
-    if (c == '\n')
-    {
-      comment = false;
-      line_start = true;
-      dots = 0;
-      continue;
-    }
-    if (line_start && c == '#')
-      comment = true;
-    if (c != ' ' && c != '\t')
-      line_start = false;
-    if (comment || c == ',' || c == '=' || c == '[' || c == '{' || c == '(')
-      dots = 0;
-    else if (c == '.')
-      most = std::max(most, ++dots);
-  }
-  return most;
-}
-
 /// A step of a --set path: a key, or an element counted from 1.
 struct Step
 {
@@ -135,13 +132,15 @@ std::optional<std::vector<Step>> parse_path(std::string_view path)
 
 TomlValue parse_override_value(const std::string& text, const std::string& place, int order)
 {
+  const std::string line = "value = " + text;
   try
   {
-    const toml::table table = toml::parse("value = " + text);
+    const bool parseable = find_obstacle(line).problem.empty();
+    const toml::table table = toml::parse(parseable ? line : "");
     if (table.size() == 1)
       return convert(*table.get("value"), place, order);
   }
-  catch (const toml::parse_error&)
+  catch (const std::runtime_error&) // toml::parse_error, TomlAssertion
   {
     // A bare word stands for itself: --set water.pore_pressure=none.
   }
@@ -230,10 +229,12 @@ void append_text(const TomlValue& value, std::string& text)
 
 TomlValue parse_toml(std::string_view text, const std::string& name, KeyPlaces& places)
 {
-  constexpr std::size_t most_parts = 32;
   places.set("", name, 0);
-  if (most_dots_in_a_row(text) > most_parts)
-    throw InputError({{.problem = fmt::format("a dotted key has more than {} parts", most_parts)}});
+  if (const TomlObstacle obstacle = find_obstacle(text); !obstacle.problem.empty())
+  {
+    places.set("", fmt::format("{}:{}:{}", name, obstacle.line, obstacle.column), obstacle.line);
+    throw InputError({{.problem = "not valid TOML: " + obstacle.problem}});
+  }
   try
   {
     return convert(toml::parse(text, name), name, 0);
@@ -243,6 +244,10 @@ TomlValue parse_toml(std::string_view text, const std::string& name, KeyPlaces& 
     const toml::source_position at = e.source().begin;
     places.set("", fmt::format("{}:{}:{}", name, at.line, at.column), static_cast<int>(at.line));
     throw InputError({{.problem = "not valid TOML: " + std::string(e.description())}});
+  }
+  catch (const TomlAssertion& e)
+  {
+    throw InputError({{.problem = std::string("not valid TOML: ") + e.what()}});
   }
 }
 

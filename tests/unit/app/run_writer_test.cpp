@@ -168,6 +168,13 @@ TEST(RunWriter, NamesTheDirectoryAfterTheCase)
   EXPECT_EQ(default_directory("/dry.toml"), fs::path("results/dry"));
 }
 
+TEST(ResultJson, BearsAPathThatIsNotUtf8)
+{
+  coupling::Case input = small_case();
+  input.path = "d\xff/case.toml";
+  EXPECT_TRUE(Json::accept(json_text(result_json(input, small_analysis()))));
+}
+
 TEST(ResultJson, KeepsPointsOnOneLine)
 {
   const Json json = {

@@ -67,6 +67,8 @@ TEST(TomlDocument, ReportsTheFirstSyntaxErrorWithItsPlace)
   }
   KeyPlaces places;
   EXPECT_THROW((void)parse_toml("a = \"\xff\xfe\"", "f.toml", places), InputError) << "not UTF-8";
+  EXPECT_THROW((void)parse_toml("a = 1\n\u00fc = 2", "f.toml", places), InputError);
+  EXPECT_EQ(places.find("").text, "f.toml:2:1");
 }
 
 TEST(TomlDocument, RefusesDocumentsThatAreTooDeepForTheStack)
@@ -86,19 +88,27 @@ TEST(TomlDocument, RefusesDocumentsThatAreTooDeepForTheStack)
 
 TEST(TomlDocument, BearsTheDeepestDocumentThatItLetsThrough)
 {
-  const std::string key = "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a";
-  std::string text = "[" + key + "]\n";
-  for (int i = 0; i < 200; ++i)
-    text += key + " = {";
-  text += std::string(200, '}');
-  KeyPlaces places;
-  EXPECT_NO_THROW((void)parse_toml(text, "f.toml", places));
+  std::string text = "[a.a.a.a.a.a.a.a]\n";
+  for (int i = 0; i < 14; ++i)
+    text += "a.a.a.a.a.a.a.a = {";
+  text += std::string(14, '}');
+  EXPECT_NO_THROW((void)parse(text));
 }
 
-TEST(TomlDocument, LetsDotsInTextsAndCommentsBe)
+TEST(TomlDocument, LetsAnyCharacterStandInTextsAndComments)
+{
+  const std::string any = std::string(300, '.') + "\u00fc\u4e2d";
+  for (const std::string& text :
+       {"# " + any, "a = \"" + any + "\"", "a = '" + any + "'",
+        "a = \"\"\"\n" + any + "\"\"\"\"\" # " + any, "a = \"\\\"" + any + "\"",
+        "a = '''\n'" + any + "\\'''", "\xEF\xBB\xBF# " + any})
+    EXPECT_NO_THROW((void)parse(text)) << text;
+}
+
+TEST(TomlDocument, LetsNumbersWithPointsBe)
 {
   EXPECT_NO_THROW(
-      (void)parse("# " + std::string(300, '.') + "\na = 1.5\nb = [[1.0, 2.0], [3.0, 4.0]]\n"));
+      (void)parse("a = 1.5\nb = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0], [9.0, 1.0]]\n"));
 }
 
 TEST(TomlDocument, SetReplacesAddsAndCreates)
