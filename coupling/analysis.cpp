@@ -3,8 +3,13 @@
 
 #include "core/error.h"
 #include "coupling/pore_pressure.h"
+#ifdef BERM_WITH_SEEPAGE
+#include "meshes/mesher.h"
+#endif
 #include "sph/discretisation.h"
 #include "sph/fill.h"
+#include "sph/packing_check.h"
+#include "sph/seeds.h"
 #include "sph/trial.h"
 
 #include <fmt/core.h>
@@ -77,6 +82,24 @@ std::vector<sph::Soil> mechanical(const std::vector<Soil>& soils)
   return result;
 }
 
+/// The mesh is one of its own, as fine as the particles.
+sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
+{
+  if (settings.packing != "mesh")
+    return sph::fill(section, settings.spacing, settings.packing);
+#ifdef BERM_WITH_SEEPAGE
+  const meshes::TriangleMesh mesh =
+      meshes::triangulate(section, {.coarse = sph::mesh_size(settings.spacing)});
+  return sph::fill_from_seeds(section, sph::mesh_seeds(mesh), settings.spacing, "mesh");
+#else
+  throw InputError({{.key = "sph.packing",
+                     .value = "mesh",
+                     .problem = "this berm was built without its mesher",
+                     .allowed = "auto, columns, lattice, hexagonal",
+                     .hint = "build with BERM_WITH_SEEPAGE, or leave sph.packing out"}});
+#endif
+}
+
 /// Saturated where there is water in the pores.
 void set_density(sph::Particles& particles, const std::vector<sph::Soil>& soils,
                  const std::vector<double>& p_w)
@@ -86,6 +109,18 @@ void set_density(sph::Particles& particles, const std::vector<sph::Soil>& soils,
     const sph::Soil& soil = soils[static_cast<std::size_t>(particles.soil[i])];
     particles.density[i] = p_w[i] > 0 ? soil.saturated_density : soil.density;
   }
+}
+/// The critical circle on the side to which the slope fails; on the weaker side if that is not
+/// known.
+std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& model,
+                                               const std::optional<sph::Mechanism>& mechanism)
+{
+  if (!model.section.single_valued)
+    return std::nullopt;
+  if (mechanism)
+    return critical_circle(model, mechanism->side == "right", 0);
+  const auto left = critical_circle(model, false, 0), right = critical_circle(model, true, 0);
+  return !left || (right && right->bishop < left->bishop) ? right : left;
 }
 } // namespace
 
@@ -112,22 +147,27 @@ Analysis analyse(const Case& given, Observer& observer)
   const std::vector<sph::Soil> soils = mechanical(input.soils);
   Stability& stability = analysis.stability.emplace();
 
+  stability.free_surface = hydrostatic_surface(input, section);
+  const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
   const sph::Discretisation body =
       timed(analysis, observer, "particles",
             [&]
             {
-              stability.free_surface = hydrostatic_surface(input, section);
-              stability.particles = sph::fill(section, input.sph.spacing, input.sph.packing);
-              const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
+              stability.particles = fill(section, input.sph);
               stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
               set_density(stability.particles, soils, stability.pore_pressure);
-              return sph::discretise(stability.particles, soils, stability.pore_pressure, section);
+              sph::Discretisation d =
+                  sph::discretise(stability.particles, soils, stability.pore_pressure, section);
+              sph::require_sound_packing(sph::measure_packing(stability.particles, d, section),
+                                         stability.particles);
+              return d;
             });
 
   const sph::Settled settled =
       timed(analysis, observer, "settling", [&] { return sph::settle(body, observer); });
   stability.settled = settled.state;
   stability.settlement = settled.settlement;
+  sph::require_sound_settlement(settled.settlement, body, stability.particles);
 
   const auto trial = [&](double factor, Observer& trial_observer)
   {
@@ -145,6 +185,11 @@ Analysis analyse(const Case& given, Observer& observer)
   stability.particle_steps = steps * static_cast<double>(stability.particles.size());
   if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
     stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
+  stability.critical_circle =
+      timed(analysis, observer, "limit equilibrium",
+            [&] {
+              return find_critical_circle({section, soils, p_w}, stability.mechanism);
+            });
   return analysis;
 }
 } // namespace berm::coupling

@@ -4,6 +4,7 @@
 #include "core/observer.h"
 #include "core/stopwatch.h"
 #include "coupling/case.h"
+#include "coupling/limit_equilibrium.h"
 #include "meshes/section.h"
 #include "seepage/solution.h"
 #include "sph/mechanism.h"
@@ -26,8 +27,9 @@ struct Stability
   double settlement = 0;             ///< largest displacement while settling [m]
   Polyline free_surface;             ///< the line of the hydrostatic mode; empty otherwise [m]
   sph::FactorOfSafety factor_of_safety;
-  std::optional<sph::Mechanism> mechanism; ///< of the failing trial
-  double particle_steps = 0;               ///< particles times steps, settling and all trials [-]
+  std::optional<sph::Mechanism> mechanism;   ///< of the failing trial
+  std::optional<SlipCircle> critical_circle; ///< by limit equilibrium, to the side of the mechanism
+  double particle_steps = 0;                 ///< particles times steps, settling and all trials [-]
 };
 
 struct StageSeconds

@@ -41,7 +41,7 @@ struct Water
 struct SphSettings
 {
   double spacing = 0;           ///< dx [m]; 0: chosen from the section
-  std::string packing = "auto"; ///< "auto", "columns", "lattice"
+  std::string packing = "auto"; ///< "auto", "columns", "lattice", "hexagonal", "mesh"
   std::string cone = "fitted";  ///< "fitted": cone fitted to Mohr-Coulomb for psi; "paper": Bui et
                                 ///< al. 2009 eq. (14)
   int threads = 0;              ///< 0: as many as OpenMP would take
