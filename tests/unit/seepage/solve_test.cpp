@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "core/error.h"
+#include "seepage/seepage.h"
+#include "tests/support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace berm::seepage
+{
+namespace
+{
+/// A dam 4 m long with 3 m of water.
+meshes::Section dam()
+{
+  meshes::SectionInput input = tests::rectangle_input(4, 3.5);
+  input.left_pool_level = 3;
+  return meshes::build_section(input);
+}
+
+/// Coarse: these tests ask what solve does, not how accurate it is.
+constexpr Settings quick{.element_size = 0.5, .refined_size = 0.15, .adaptive = true};
+
+TEST(Solve, TellsTheObserverAboutEachMesh)
+{
+  struct Notes : Observer
+  {
+    std::vector<std::string> notes;
+    double fraction = 0;
+    void note(std::string_view text) override { notes.emplace_back(text); }
+    void progress(double f, std::string_view) override { fraction = f; }
+  } observer;
+  const meshes::Section section = dam();
+  const Solution s = solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), quick, observer);
+  ASSERT_EQ(observer.notes.size(), s.history.size());
+  EXPECT_EQ(
+      observer.notes[0].rfind("mesh 1: " + std::to_string(s.history[0].unknowns) + " unknowns", 0),
+      0)
+      << observer.notes[0];
+  EXPECT_EQ(observer.fraction, 1);
+}
+
+TEST(Solve, RefinesAlongTheFreeSurfaceUnlessToldNotTo)
+{
+  const meshes::Section section = dam();
+  Observer observer;
+  const Solution coarse =
+      solve(section, {{1, 1, 0}}, boundary_conditions(section, {}),
+            {.element_size = 0.5, .refined_size = 0, .adaptive = false}, observer);
+  EXPECT_EQ(coarse.history.size(), 1);
+  const Solution fine =
+      solve(section, {{1, 1, 0}}, boundary_conditions(section, {}),
+            {.element_size = 0.5, .refined_size = 0.1, .adaptive = true}, observer);
+  EXPECT_GE(fine.history.size(), 2);
+  EXPECT_GT(fine.mesh.nodes.size(), 3 * coarse.mesh.nodes.size());
+}
+
+TEST(Solve, ArraysBelongToTheMesh)
+{
+  const meshes::Section section = dam();
+  Observer observer;
+  const Solution s = solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), quick, observer);
+  ASSERT_EQ(s.head.size(), s.mesh.nodes.size());
+  ASSERT_EQ(s.pore_pressure.size(), s.mesh.nodes.size());
+  ASSERT_EQ(s.flux.size(), s.mesh.triangles.size());
+  ASSERT_EQ(s.stretch_inflow.size(), section.stretches.size());
+  for (std::size_t i = 0; i < s.head.size(); ++i)
+    EXPECT_NEAR(s.pore_pressure[i], water_unit_weight * (s.head[i] - s.mesh.nodes[i].y()), 1e-9);
+}
+
+TEST(Solve, PutsANodeWhereASideMeetsItsHead)
+{
+  // The whole right face is marked with a head of 1.3 m: tailwater below, seepage face above.
+  meshes::SectionInput input = tests::rectangle_input(4, 3.5);
+  input.left_pool_level = 3;
+  input.marked_lines = {{{4, 0}, {4, 3.5}}};
+  const meshes::Section section = meshes::build_section(input);
+  Observer observer;
+  const Solution s =
+      solve(section, {{1, 1, 0}}, boundary_conditions(section, {{BoundaryKind::head, 1.3}}), quick,
+            observer);
+  EXPECT_NE(std::ranges::find(s.mesh.nodes, Vec2(4, 1.3)), s.mesh.nodes.end());
+  ASSERT_TRUE(s.exit_point);
+  EXPECT_GT(s.exit_point->y(), 1.3);
+}
+
+TEST(Solve, WithoutConductivityIsAnInputError)
+{
+  const meshes::Section section = dam();
+  Observer observer;
+  for (const std::vector<Conductivity>& k :
+       {std::vector<Conductivity>{}, {{0, 1, 0}}, {{1, -1, 0}}, {{1, NAN, 0}}})
+    EXPECT_THROW(
+        static_cast<void>(solve(section, k, boundary_conditions(section, {}), quick, observer)),
+        InputError);
+}
+
+TEST(Solve, StopsWhenAsked)
+{
+  struct Stop : Observer
+  {
+    [[nodiscard]] bool stop_requested() const override { return true; }
+  } observer;
+  const meshes::Section section = dam();
+  EXPECT_THROW(static_cast<void>(
+                   solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), quick, observer)),
+               NotConverged);
+}
+
+TEST(Solve, GivesTheSameBitsTwice)
+{
+  const meshes::Section section = dam();
+  Observer observer;
+  const Solution a = solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), quick, observer);
+  const Solution b = solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), quick, observer);
+  EXPECT_EQ(a.head, b.head);
+  EXPECT_EQ(a.discharge, b.discharge);
+}
+} // namespace
+} // namespace berm::seepage
