@@ -74,18 +74,18 @@ TEST(Solve, ArraysBelongToTheMesh)
 
 TEST(Solve, PutsANodeWhereASideMeetsItsHead)
 {
-  // The whole right face is marked with a head of 1.3 m: tailwater below, seepage face above.
+  // The whole right face is marked with a head of 0.6 m: tailwater below, seepage face above.
   meshes::SectionInput input = tests::rectangle_input(4, 3.5);
   input.left_pool_level = 3;
   input.marked_lines = {{{4, 0}, {4, 3.5}}};
   const meshes::Section section = meshes::build_section(input);
   Observer observer;
   const Solution s =
-      solve(section, {{1, 1, 0}}, boundary_conditions(section, {{BoundaryKind::head, 1.3}}), quick,
+      solve(section, {{1, 1, 0}}, boundary_conditions(section, {{BoundaryKind::head, 0.6}}), quick,
             observer);
-  EXPECT_NE(std::ranges::find(s.mesh.nodes, Vec2(4, 1.3)), s.mesh.nodes.end());
+  EXPECT_NE(std::ranges::find(s.mesh.nodes, Vec2(4, 0.6)), s.mesh.nodes.end());
   ASSERT_TRUE(s.exit_point);
-  EXPECT_GT(s.exit_point->y(), 1.3);
+  EXPECT_GT(s.exit_point->y(), 0.6);
 }
 
 TEST(Solve, WithoutConductivityIsAnInputError)
