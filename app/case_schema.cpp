@@ -186,12 +186,13 @@ const std::vector<Key> table = {
      .sentence = "Distance between particles."},
     {.path = "sph.packing",
      .type = choice,
-     .choices = {"auto", "columns", "lattice"},
+     .choices = {"auto", "columns", "lattice", "hexagonal", "mesh"},
      .presence = defaulted,
      .otherwise = "\"auto\"",
      .sentence =
-         "`columns`: columns that end at the ground; `lattice`: a square lattice cut by the "
-         "outline; `auto`: columns where the section allows them."},
+         "`columns`: columns that end at the ground; `lattice`, `hexagonal`: a square or hexagonal "
+         "lattice relaxed to fit the outline; `mesh`: the nodes of a triangle mesh, relaxed; "
+         "`auto`: columns, or the lattice where there are overhangs."},
     {.path = "sph.cone",
      .type = choice,
      .choices = {"fitted", "paper"},

@@ -310,7 +310,6 @@ double ground_level(const Section& section, double x)
 
 double base_level(const Section& section, double x)
 {
-  assert(section.single_valued);
   return level_of(section.base, x, false);
 }
 

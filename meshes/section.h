@@ -86,7 +86,8 @@ struct Section
 [[nodiscard]] Section build_section(const SectionInput& input);
 
 /// @brief Level of the ground (highest, at a vertical step) or of the base (lowest) at x [m].
-/// Pre: section.single_valued, x_min <= x <= x_max.
+/// Pre: the ground or base is a function of x, as both are if section.single_valued;
+/// x_min <= x <= x_max.
 [[nodiscard]] double ground_level(const Section& section, double x);
 [[nodiscard]] double base_level(const Section& section, double x);
 

@@ -2,10 +2,15 @@
 #include "sph/fill.h"
 
 #include "core/error.h"
+#include "sph/relax.h"
+#include "sph/seeds.h"
+#include "sph/voronoi.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <numeric>
+#include <utility>
 
 namespace berm::sph
 {
@@ -64,52 +69,43 @@ void fill_columns(const meshes::Section& section, Particles& particles)
   }
 }
 
-void fill_lattice(const meshes::Section& section, Particles& particles)
+/// Passes of relaxation: a lattice only has to fit the outline, a disordered seeding all over.
+constexpr int fitting_passes = 10, evening_passes = 50;
+
+[[noreturn]] void refuse_spacing(double spacing, std::string problem, std::string hint)
 {
-  const double dx = particles.spacing;
-  const int columns =
-      std::max(1, static_cast<int>(std::lround((section.x_max - section.x_min) / dx)));
-  const double width = (section.x_max - section.x_min) / columns;
-  const int rows = static_cast<int>(std::ceil((section.y_max - section.y_min) / dx));
-  for (int c = 0; c < columns; ++c)
-  {
-    double orphaned = 0; // slivers of cells whose centre lies outside go to the next particle below
-    for (int r = rows - 1; r >= 0; --r)
-    {
-      const Vec2 lower{section.x_min + c * width, section.y_min + r * dx};
-      const Vec2 upper = lower + Vec2{width, dx};
-      const double area = clipped_area(section, lower, upper);
-      if (area <= 0)
-        continue;
-      const Vec2 centre = 0.5 * (lower + upper);
-      if (meshes::contains(section, centre) && area >= 0.4 * width * dx)
-      {
-        add(particles, section, centre, area + orphaned);
-        orphaned = 0;
-      }
-      else
-        orphaned += area;
-    }
-  }
-  // From the base up in every column, as with fitted columns.
-  std::size_t begin = 0;
-  const auto reverse = [&](std::size_t first, std::size_t last)
-  {
-    const auto flip = [&](auto& v)
-    {
-      std::reverse(v.begin() + static_cast<std::ptrdiff_t>(first),
-                   v.begin() + static_cast<std::ptrdiff_t>(last));
-    };
-    flip(particles.y);
-    flip(particles.volume);
-    flip(particles.soil);
-  };
-  for (std::size_t i = 1; i <= particles.size(); ++i)
-    if (i == particles.size() || particles.x[i] != particles.x[begin])
-    {
-      reverse(begin, i);
-      begin = i;
-    }
+  throw InputError({{.key = "sph.spacing_m",
+                     .value = fmt::format("{}", spacing),
+                     .problem = std::move(problem),
+                     .allowed = {},
+                     .hint = std::move(hint)}});
+}
+
+void check_spacing(const meshes::Section& section, double spacing)
+{
+  const double height = section.y_max - section.y_min;
+  if (spacing > height / 5)
+    refuse_spacing(
+        spacing, fmt::format("too coarse: the section is {:.4g} m high", height),
+        fmt::format("at least 5 particles over the height; {:.3g} m gives 40", height / 40));
+  const double count = meshes::polygon_area(section.outline) / (spacing * spacing);
+  if (count > 2e7)
+    refuse_spacing(spacing, fmt::format("would need {:.2g} particles", count),
+                   "at most 2e7; take a larger spacing");
+}
+
+/// The walls mirror the soil in a base that is a function of x.
+void check_base(const meshes::Section& section)
+{
+  for (std::size_t k = 1; k < section.base.size(); ++k)
+    if (section.base[k].x() < section.base[k - 1].x())
+      throw InputError({{.key = "section.outline_m",
+                         .value = {},
+                         .problem = fmt::format("the base folds back under the soil at x = {:.6g}",
+                                                section.base[k - 1].x()),
+                         .allowed = {},
+                         .hint = "particles need a base that is a function of x: draw it without "
+                                 "the hollow"}});
 }
 } // namespace
 
@@ -120,35 +116,56 @@ double default_spacing(const meshes::Section& section)
 
 Particles fill(const meshes::Section& section, double spacing, const std::string& packing)
 {
-  Particles particles;
-  particles.spacing = spacing;
-  particles.packing = packing == "auto" ? (section.single_valued ? "columns" : "lattice") : packing;
-  const auto refuse = [&](std::string problem, std::string hint)
-  {
-    throw InputError({{.key = "sph.spacing_m",
-                       .value = fmt::format("{}", spacing),
-                       .problem = std::move(problem),
-                       .allowed = {},
-                       .hint = std::move(hint)}});
-  };
-  if (particles.packing == "columns" && !section.single_valued)
+  const std::string chosen =
+      packing == "auto" ? (section.single_valued ? "columns" : "lattice") : packing;
+  if (chosen == "columns" && !section.single_valued)
     throw InputError({{.key = "sph.packing",
                        .value = "columns",
                        .problem = "the section has an overhang, which columns cannot fill",
-                       .allowed = "auto, lattice",
+                       .allowed = "auto, lattice, hexagonal, mesh",
                        .hint = "leave sph.packing out"}});
-  const double height = section.y_max - section.y_min;
-  if (spacing > height / 5)
-    refuse(fmt::format("too coarse: the section is {:.4g} m high", height),
-           fmt::format("at least 5 particles over the height; {:.3g} m gives 40", height / 40));
-  const double count = meshes::polygon_area(section.outline) / (spacing * spacing);
-  if (count > 2e7)
-    refuse(fmt::format("would need {:.2g} particles", count), "at most 2e7; take a larger spacing");
-
-  if (particles.packing == "columns")
+  check_spacing(section, spacing);
+  check_base(section);
+  if (chosen == "columns")
+  {
+    Particles particles;
+    particles.spacing = spacing;
+    particles.packing = chosen;
     fill_columns(section, particles);
-  else
-    fill_lattice(section, particles);
+    return particles;
+  }
+  std::vector<Vec2> seeds =
+      chosen == "hexagonal" ? hexagonal_seeds(section, spacing) : square_seeds(section, spacing);
+  return fill_cells(section, relax(section, std::move(seeds), spacing, fitting_passes), spacing,
+                    chosen);
+}
+
+Particles fill_from_seeds(const meshes::Section& section, std::vector<Vec2> seeds, double spacing,
+                          const std::string& packing)
+{
+  check_spacing(section, spacing);
+  check_base(section);
+  return fill_cells(section, relax(section, std::move(seeds), spacing, evening_passes), spacing,
+                    packing);
+}
+
+Particles fill_cells(const meshes::Section& section, std::span<const Vec2> points, double spacing,
+                     const std::string& packing)
+{
+  Particles particles;
+  particles.spacing = spacing;
+  particles.packing = packing;
+  const std::vector<VoronoiCell> cells = voronoi_cells(section, points, spacing);
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) {
+    return std::pair{std::floor((points[i].x() - section.x_min) / spacing), points[i].y()};
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+  for (const std::size_t i : order)
+    if (cells[i].area > 0)
+      add(particles, section, points[i], cells[i].area);
   return particles;
 }
 } // namespace berm::sph

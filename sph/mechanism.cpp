@@ -77,13 +77,20 @@ struct Column
   std::size_t begin, end;
 };
 
-std::vector<Column> columns_of(const Particles& particles)
+std::vector<Column> columns_of(const Particles& particles, const meshes::Section& section)
 {
+  const auto strip = [&](std::size_t i)
+  { return std::floor((particles.x[i] - section.x_min) / particles.spacing); };
+  const auto together = [&](std::size_t i, std::size_t j)
+  {
+    return particles.packing == "columns"
+               ? std::abs(particles.x[i] - particles.x[j]) < 0.25 * particles.spacing
+               : strip(i) == strip(j);
+  };
   std::vector<Column> columns;
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= particles.size(); ++i)
-    if (i == particles.size() ||
-        std::abs(particles.x[i] - particles.x[begin]) > 0.25 * particles.spacing)
+    if (i == particles.size() || !together(i, begin))
     {
       columns.push_back({begin, i});
       begin = i;
@@ -125,7 +132,7 @@ std::optional<Mechanism> find_mechanism(const Particles& particles, const State&
   m.side = momentum_x > 0 ? "right" : "left";
 
   // Step 2: its lower border, column by column.
-  const std::vector<Column> columns = columns_of(particles);
+  const std::vector<Column> columns = columns_of(particles, section);
   const auto reaches_ground = [&](const Column& c) { return slides[c.end - 1]; };
   const auto first = std::find_if(columns.begin(), columns.end(), reaches_ground);
   if (first == columns.end())

@@ -9,7 +9,8 @@
 namespace berm::sph
 {
 /// The soil as particles in their reference positions, ordered column by column from left to right,
-/// in a column from the base up. Structure of arrays, shape (n) each.
+/// in a column from the base up. Where they do not stand above each other, a column is a strip of
+/// width dx, counted from the left end of the section. Structure of arrays, shape (n) each.
 struct Particles
 {
   std::vector<double> x, y; ///< reference position [m]
@@ -18,7 +19,7 @@ struct Particles
   std::vector<double> density; ///< of the soil with the water in it [kg/m3]
   std::vector<Index> soil;     ///< index into the list of soils
   double spacing = 0;          ///< nominal dx [m]
-  std::string packing;         ///< "columns" or "lattice"
+  std::string packing;         ///< "columns", "lattice", "hexagonal", "mesh"
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
