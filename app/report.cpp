@@ -122,7 +122,7 @@ void add_mechanism(Page& page, const std::optional<sph::Mechanism>& mechanism)
 {
   if (!mechanism)
   {
-    page.row("slip surface", "none found in the plastic strain");
+    page.row("slip surface", "none found: no connected mass moves");
     return;
   }
   page.row("slip surface",
@@ -130,6 +130,19 @@ void add_mechanism(Page& page, const std::optional<sph::Mechanism>& mechanism)
                        point_text(mechanism->entry), point_text(mechanism->exit)));
   page.row("", fmt::format("depth {:.2f} m, volume {:.4g} m3 per m", mechanism->depth,
                            mechanism->volume));
+}
+
+void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& circle)
+{
+  if (!circle)
+    return;
+  page.row("limit equilibrium",
+           fmt::format("Bishop {:.3f}, Spencer {}: circle about ({:.1f}, {:.1f}), radius {:.1f} m",
+                       circle->bishop,
+                       circle->spencer ? fmt::format("{:.3f}", *circle->spencer) : "not converged",
+                       circle->centre.x(), circle->centre.y(), circle->radius));
+  page.row("", fmt::format("from x = {:.1f} to {:.1f}; to compare with, not the answer",
+                           circle->x_left, circle->x_right));
 }
 
 void add_stability(Page& page, const coupling::Stability& s, bool seepage_only)
@@ -140,6 +153,7 @@ void add_stability(Page& page, const coupling::Stability& s, bool seepage_only)
   page.row("factor of safety", factor_text(s.factor_of_safety));
   if (s.factor_of_safety.fails)
     add_mechanism(page, s.mechanism);
+  add_critical_circle(page, s.critical_circle);
   page.row("particles", fmt::format("{} at {:g} m, packed in {}", s.particles.size(),
                                     s.particles.spacing, s.particles.packing));
   if (s.factor_of_safety.trials.empty())

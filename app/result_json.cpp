@@ -102,6 +102,19 @@ Json mechanism_json(const std::optional<sph::Mechanism>& mechanism)
           {"slip_line_m", points(mechanism->slip_line)}};
 }
 
+Json circle_json(const std::optional<coupling::SlipCircle>& circle)
+{
+  if (!circle)
+    return nullptr;
+  return {{"bishop", circle->bishop},
+          {"spencer", or_null(circle->spencer)},
+          {"centre_m", point(circle->centre)},
+          {"radius_m", circle->radius},
+          {"x_left_m", circle->x_left},
+          {"x_right_m", circle->x_right},
+          {"side", circle->moves_right ? "right" : "left"}};
+}
+
 Json stability_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const coupling::Stability& s = *analysis.stability;
@@ -138,6 +151,7 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
           {"settlement_m", s.settlement},
           {"side", s.mechanism ? Json(s.mechanism->side) : Json(nullptr)},
           {"mechanism", mechanism_json(s.mechanism)},
+          {"limit_equilibrium", circle_json(s.critical_circle)},
           {"trials", trials},
           {"seconds", seconds({wall, cpu})}};
 }
