@@ -2,6 +2,7 @@
 #include "sph/discretisation.h"
 
 #include "sph/kernel.h"
+#include "sph/scales.h"
 #include "sph/time_step.h"
 
 #include <Eigen/Eigenvalues>
@@ -23,19 +24,6 @@ std::array<double, 2> weighted_gradient(const CubicSpline& W, double dx, double 
   const double r = std::hypot(dx, dy); // of x_i - x_j
   const double g = V_j * W.dW(r) / r;
   return {g * dx, g * dy};
-}
-
-/// Volume-weighted mean of a property of the soils.
-template <class Property>
-double mean_over(const Particles& particles, Property&& property)
-{
-  double sum = 0, volume = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    sum += particles.volume[i] * property(i);
-    volume += particles.volume[i];
-  }
-  return sum / volume;
 }
 } // namespace
 
@@ -119,15 +107,9 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
     c_p_max = std::max(c_p_max, std::sqrt(moduli(i).M() / particles.density[i]));
   d.dt = courant_number * d.h / c_p_max;
   d.height = section.y_max - section.y_min;
-  d.T0 = d.height * mean_over(particles, [&](std::size_t i)
-                              { return std::sqrt(particles.density[i] / moduli(i).G); });
-  d.d_ref = d.height * d.height *
-            mean_over(particles,
-                      [&](std::size_t i)
-                      {
-                        const auto s = static_cast<std::size_t>(particles.soil[i]);
-                        return particles.density[i] * gravity / soils[s].young_modulus;
-                      });
+  const Scales scales = body_scales(particles, soils, d.height);
+  d.T0 = scales.T0;
+  d.d_ref = scales.d_ref;
 
   // Step 2: particles and their mirror images, ghosts ordered by source.
   d.ghosts = mirror_ghosts(particles, section, W.radius());

@@ -31,5 +31,7 @@ struct State
   std::vector<double> vx, vy;         ///< velocity [m/s]
   std::vector<SymTensor> stress;      ///< effective stress, tension positive [Pa]
   std::vector<double> plastic_strain; ///< accumulated equivalent deviatoric plastic strain [-]
+  std::vector<double> x = {}, y = {}; ///< position [m]; empty if the reference position serves
+  std::vector<double> density = {};   ///< [kg/m3]; empty if the reference density serves
 };
 } // namespace berm::sph

@@ -3,7 +3,9 @@
 
 #include "sph/discretisation.h"
 #include "sph/drucker_prager.h"
+#include "sph/lanes.h"
 #include "sph/particles.h"
+#include "sph/soil_solver.h"
 
 #include <span>
 #include <vector>
@@ -13,7 +15,7 @@ namespace berm::sph
 /// Steps the soil through time over a frozen discretisation. docs/theory.md section 3.
 /// Gather form: a point's sums are taken by one thread in the list's order, so every bit of the
 /// result is the same for any number of threads.
-class TotalLagrangian
+class TotalLagrangian final : public SoilSolver
 {
 public:
   /// @param[in] discretisation  Must outlive the solver.
@@ -23,22 +25,21 @@ public:
                   const State& start);
 
   /// @brief Advance by `steps` time steps. Cost O(steps n), no allocation.
-  void advance(long steps);
+  void advance(long steps) override;
 
-  [[nodiscard]] double time() const { return static_cast<double>(steps_) * d_.dt; }
-  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] double time() const override { return static_cast<double>(steps_) * d_.dt; }
+  [[nodiscard]] double time_step() const override { return d_.dt; }
+  [[nodiscard]] long steps() const override { return steps_; }
 
   /// Root mean square of the velocity over the mass [m/s].
-  [[nodiscard]] double v_rms() const;
+  [[nodiscard]] double v_rms() const override;
   /// Largest displacement [m].
-  [[nodiscard]] double max_displacement() const;
+  [[nodiscard]] double max_displacement() const override;
   /// @throws NumericalError naming field, particle and time if a value is not finite.
-  void check_finite() const;
-  [[nodiscard]] State state() const;
+  void check_finite() const override;
+  [[nodiscard]] State state() const override;
 
 private:
-  using Lanes = double __attribute__((vector_size(32)));
-
   void update_stress(std::size_t i); ///< pass A: velocity gradient, stress, viscous acceleration
   void update_motion(std::size_t i); ///< pass B: acceleration, damping, velocity, displacement
   void store_velocity(std::size_t i, double vx, double vy);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/observer.h"
-#include "sph/discretisation.h"
 #include "sph/soil.h"
+#include "sph/soil_model.h"
 #include "sph/strength_reduction.h"
 
 #include <span>
@@ -15,7 +15,7 @@ namespace berm::sph
 /// The state at rest under its own weight, and what it took to get there.
 struct Settled
 {
-  State state; ///< displacement and velocity set to zero
+  State state; ///< displacement and velocity set to zero, positions kept
   double settlement =
       0; ///< largest displacement on the way [m]; 7-10 times gamma H^2/(2M) marks a bad packing
   long steps = 0;
@@ -24,7 +24,7 @@ struct Settled
 /// @brief Let the soil settle elastically under gravity and pore pressure from zero stress.
 /// Every trial starts from this state. The start (K0, elastic, elastoplastic) does not change F.
 /// @throws NotConverged if it does not come to rest; NumericalError on a value that is not finite.
-[[nodiscard]] Settled settle(const Discretisation& discretisation, Observer& observer);
+[[nodiscard]] Settled settle(const SoilModel& model, Observer& observer);
 
 /// @brief Strength reduced by a factor: c and tan(phi) first, then the cone; psi is kept at or
 /// below phi_F.
@@ -33,6 +33,6 @@ struct Settled
                                               const std::string& cone);
 
 /// @brief Run the soil with given cones from the settled state until the verdict is known.
-[[nodiscard]] Trial run_trial(const Discretisation& discretisation, const State& settled,
-                              std::vector<Cone> cones, double factor, Observer& observer);
+[[nodiscard]] Trial run_trial(const SoilModel& model, const State& settled, std::vector<Cone> cones,
+                              double factor, Observer& observer);
 } // namespace berm::sph
