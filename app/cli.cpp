@@ -40,6 +40,7 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
     omp_set_num_threads(threads);
 
+  places.run_began = true;
   catch_stop_signals();
   Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet);
   const coupling::Analysis analysis = coupling::analyse(input, console);

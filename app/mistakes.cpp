@@ -93,8 +93,8 @@ std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& plac
   std::string all;
   for (const auto& [order, text] : texts)
     all += text;
-  return all + fmt::format("{} {}; nothing was run.\n", texts.size(),
-                           texts.size() == 1 ? "mistake" : "mistakes");
+  return all + fmt::format("{} {}; {}.\n", texts.size(), texts.size() == 1 ? "mistake" : "mistakes",
+                           places.run_began ? "the run was given up" : "nothing was run");
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates)

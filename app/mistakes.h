@@ -14,6 +14,8 @@ namespace berm::app
 class KeyPlaces
 {
 public:
+  bool run_began = false; ///< the case had no mistake; what comes now comes from a stage
+
   void set(const std::string& key, std::string text, int order)
   {
     places_[key] = {std::move(text), order};

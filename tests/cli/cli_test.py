@@ -25,7 +25,8 @@ NO_FIGURES = ["--set", "output.figures=false"]
 def without_times(value):
     """result.json without what a repeated run may change."""
     if isinstance(value, dict):
-        return {k: without_times(v) for k, v in value.items() if k not in ("seconds", "performance")}
+        kept = {k: v for k, v in value.items() if k not in ("seconds", "performance")}
+        return {k: without_times(v) for k, v in kept.items()}
     if isinstance(value, list):
         return [without_times(v) for v in value]
     return value
@@ -39,7 +40,8 @@ class Cli(unittest.TestCase):
 
     def berm(self, *arguments, code=0):
         """Run in the scratch directory; stdout and stderr, after a look at the exit code."""
-        done = subprocess.run([BERM, *map(str, arguments)], cwd=self.dir, text=True, capture_output=True)
+        command = [BERM, *map(str, arguments)]
+        done = subprocess.run(command, cwd=self.dir, text=True, capture_output=True, check=False)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout, done.stderr
 
@@ -65,9 +67,16 @@ class Cli(unittest.TestCase):
         self.assertEqual("not built in" in out, not HAS_SEEPAGE)
 
     def test_command_line_mistakes_exit_with_2(self):
-        for arguments in (["walk"], ["run"], ["run", DRY, "--wrong"], ["run", DRY, "--threads", "0"],
-                          ["run", DRY, "--threads", "x"], ["check", DRY, "--out", "d"], ["run", DRY, DRY],
-                          ["run", DRY, "--set"]):
+        for arguments in (
+            ["walk"],
+            ["run"],
+            ["run", DRY, "--wrong"],
+            ["run", DRY, "--threads", "0"],
+            ["run", DRY, "--threads", "x"],
+            ["check", DRY, "--out", "d"],
+            ["run", DRY, DRY],
+            ["run", DRY, "--set"],
+        ):
             _, err = self.berm(*arguments, code=2)
             self.assertTrue(err.strip())
         self.assertEqual(list(self.dir.iterdir()), [])
@@ -94,10 +103,13 @@ class Cli(unittest.TestCase):
         for command in ("check", "run", "seepage"):
             out, err = self.berm(command, name, code=2)
             self.assertEqual(out, "")
-            self.assertIn(f"case.toml:{angle}: soil.fill.friction_angle_deg = 95\n"
-                          "  allowed: 0 <= friction_angle_deg < 90\n", err)
-            self.assertIn(f"case.toml:{stress}: unknown key soil.fill.cohesion_Pa\n"
-                          "  hint: did you mean cohesion_kPa? One unit per key; see `berm reference`.\n", err)
+            for text in (
+                f"case.toml:{angle}: soil.fill.friction_angle_deg = 95\n",
+                "  allowed: 0 <= friction_angle_deg < 90\n",
+                f"case.toml:{stress}: unknown key soil.fill.cohesion_Pa\n",
+                "  hint: did you mean cohesion_kPa? One unit per key; see `berm reference`.\n",
+            ):
+                self.assertIn(text, err)
             self.assertIn("mistakes; nothing was run.\n", err)
         self.assertEqual([p.name for p in self.dir.iterdir()], ["case.toml"])
 
@@ -111,8 +123,15 @@ class Cli(unittest.TestCase):
             self.assertIn(path, err)
 
     def test_rubbish_never_crashes(self):
-        for text in (b"", b"\x00" * 100, bytes(range(256)), b"\xef\xbb\xbf", b"[" * 100000,
-                     b"a" + b".a" * 100000 + b"=1", pathlib.Path(BERM).read_bytes()[:100000]):
+        for text in (
+            b"",
+            b"\x00" * 100,
+            bytes(range(256)),
+            b"\xef\xbb\xbf",
+            b"[" * 100000,
+            b"a" + b".a" * 100000 + b"=1",
+            pathlib.Path(BERM).read_bytes()[:100000],
+        ):
             self.berm("check", self.write(text), code=2)
 
     def test_windows_line_ends_and_byte_order_mark_are_read(self):
@@ -120,7 +139,8 @@ class Cli(unittest.TestCase):
         self.berm("check", self.write(text))
 
     def test_set_replaces_keys_and_its_mistakes_name_it(self):
-        out, _ = self.berm("check", DRY, "--set", "soil.fill.cohesion_kPa=1.25", "--set", "title=other words")
+        changes = ["--set", "soil.fill.cohesion_kPa=1.25", "--set", "title=other words"]
+        out, _ = self.berm("check", DRY, *changes)
         self.assertIn("c = 1.25 kPa", out)
         self.assertIn("other words", out)
         _, err = self.berm("check", DRY, "--set", "sph.spacing_m=-1", code=2)
@@ -138,7 +158,8 @@ class Cli(unittest.TestCase):
 
     def test_a_full_standard_output_is_not_success(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([BERM, "reference"], stdout=full, stderr=subprocess.PIPE, check=False)
+            command = [BERM, "reference"]
+            done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False)
         self.assertEqual(done.returncode, 4)
 
     def test_a_dry_run_finds_a_factor_and_writes_its_files(self):
@@ -155,7 +176,7 @@ class Cli(unittest.TestCase):
         self.assertTrue(result["complete"])
         self.assertNotIn("seepage", result)
         stability = result["stability"]
-        # The sources have 2.40 - 2.45; twelve particles over the height and a wide bracket are this far off.
+        # The sources have 2.40 - 2.45; ten particles over the height and this bracket allow it.
         self.assertGreater(stability["factor"], 2.0)
         self.assertLess(stability["factor"], 2.9)
         self.assertEqual(stability["side"], "right")
@@ -174,22 +195,42 @@ class Cli(unittest.TestCase):
     def test_quiet_prints_nothing(self):
         self.assertEqual(self.berm("run", DRY, *COARSE, *NO_FIGURES, "--quiet"), ("", ""))
 
-    def test_one_signal_stops_a_run_and_leaves_a_valid_partial_result(self):
-        run = subprocess.Popen([BERM, "run", DRY, "--set", "sph.spacing_m=0.5", *NO_FIGURES, "--out", "out"],
-                               cwd=self.dir, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    def start_and_wait_for_trials(self):
+        """A run that is in its strength reduction."""
+        fine = ["--set", "sph.spacing_m=0.5"]
+        run = subprocess.Popen(
+            [BERM, "run", DRY, *fine, *NO_FIGURES, "--out", "out"],
+            cwd=self.dir,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        self.addCleanup(run.kill)
         line = run.stderr.readline()
         while line and "strength reduction" not in line:
             line = run.stderr.readline()
+        return run
+
+    def test_one_signal_stops_a_run_and_leaves_a_valid_partial_result(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            run = self.start_and_wait_for_trials()
+            run.send_signal(number)
+            started = time.monotonic()
+            out, err = run.communicate(timeout=60)
+            self.assertLess(time.monotonic() - started, 20)
+            self.assertEqual(run.returncode, 3, out + err)
+            self.assertIn("Stopped on request", out)
+            result = self.result("out")
+            self.assertTrue(result["interrupted"])
+            self.assertFalse(result["complete"])
+            self.assertFalse(list((self.dir / "out").glob("*.part")))
+
+    def test_a_second_signal_kills(self):
+        run = self.start_and_wait_for_trials()
         run.send_signal(signal.SIGINT)
-        started = time.monotonic()
-        out, err = run.communicate(timeout=60)
-        self.assertLess(time.monotonic() - started, 20)
-        self.assertEqual(run.returncode, 3, out + err)
-        self.assertIn("Stopped on request", out)
-        result = self.result("out")
-        self.assertTrue(result["interrupted"])
-        self.assertFalse(result["complete"])
-        self.assertFalse(list((self.dir / "out").glob("*.part")))
+        run.send_signal(signal.SIGTERM)
+        run.communicate(timeout=20)
+        self.assertIn(run.returncode, (-signal.SIGTERM, -signal.SIGINT))  # whichever came second
 
     def test_seepage_alone_or_why_not(self):
         case = CASES / "seepage.toml"
@@ -203,8 +244,9 @@ class Cli(unittest.TestCase):
         self.assertNotIn("stability", result)
         self.assertTrue((self.dir / "out" / "results_mesh.xdmf").exists())
         xml.etree.ElementTree.parse(self.dir / "out" / "results_mesh.xdmf")
-        # An independent second-order code with a tracked free surface: q/k = 3.317 (cases/README.md).
-        self.assertAlmostEqual(result["seepage"]["discharge_over_k_m"], 3.317, delta=0.02)
+        # An independent second-order code with a tracked free surface gives q/k = 3.317; one
+        # percent is the claim for the default mesh.
+        self.assertAlmostEqual(result["seepage"]["discharge_over_k_m"], 3.317, delta=0.033)
         self.assertEqual(len(result["seepage"]["probes"]), 8)
 
     def test_figures_are_drawn_for_every_stage(self):

@@ -30,6 +30,14 @@ TEST(Mistakes, OneIsNotCalledMany)
   EXPECT_EQ(text, "a: is wrong\n1 mistake; nothing was run.\n");
 }
 
+TEST(Mistakes, ThatAStageFindsDoNotClaimThatNothingWasRun)
+{
+  KeyPlaces places;
+  places.run_began = true;
+  EXPECT_EQ(describe({{.key = "a", .problem = "is wrong"}}, places),
+            "a: is wrong\n1 mistake; the run was given up.\n");
+}
+
 TEST(Mistakes, NeverPassAControlCharacterToTheTerminal)
 {
   const std::string text = describe({{.key = "a\x1b[31m", .value = "b\x07", .problem = "c"}}, {});
