@@ -88,8 +88,9 @@ sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
   if (settings.packing != "mesh")
     return sph::fill(section, settings.spacing, settings.packing);
 #ifdef BERM_WITH_SEEPAGE
-  const meshes::TriangleMesh mesh =
-      meshes::triangulate(section, {.coarse = sph::mesh_size(settings.spacing)});
+  meshes::ElementSize size;
+  size.coarse = sph::mesh_size(settings.spacing);
+  const meshes::TriangleMesh mesh = meshes::triangulate(section, size);
   return sph::fill_from_seeds(section, sph::mesh_seeds(mesh), settings.spacing, "mesh");
 #else
   throw InputError({{.key = "sph.packing",

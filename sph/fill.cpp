@@ -70,7 +70,7 @@ void fill_columns(const meshes::Section& section, Particles& particles)
 }
 
 /// Passes of relaxation: a lattice only has to fit the outline, a disordered seeding all over.
-constexpr int fitting_passes = 10, evening_passes = 50;
+constexpr int fitting_passes = 10, evening_passes = 20, unloading_passes = 100;
 
 [[noreturn]] void refuse_spacing(double spacing, std::string problem, std::string hint)
 {
@@ -145,8 +145,9 @@ Particles fill_from_seeds(const meshes::Section& section, std::vector<Vec2> seed
 {
   check_spacing(section, spacing);
   check_base(section);
-  return fill_cells(section, relax(section, std::move(seeds), spacing, evening_passes), spacing,
-                    packing);
+  std::vector<Vec2> points = relax(section, std::move(seeds), spacing, evening_passes);
+  points = unload(section, std::move(points), spacing, unloading_passes);
+  return fill_cells(section, points, spacing, packing);
 }
 
 Particles fill_cells(const meshes::Section& section, std::span<const Vec2> points, double spacing,

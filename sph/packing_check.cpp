@@ -56,7 +56,8 @@ PackingQuality measure_packing(const Particles& particles, const Discretisation&
          k < static_cast<std::size_t>(d.neighbours.begin[i + 1]); ++k)
     {
       const auto j = static_cast<std::size_t>(d.neighbours.index[k]);
-      nearest2 = std::min(nearest2, (Vec2{x[j], y[j]} - p).squaredNorm());
+      if (j < n)
+        nearest2 = std::min(nearest2, (Vec2{x[j], y[j]} - p).squaredNorm());
       const auto [gx, gy] = d.G[k];
       const double xx = B[i].xx + B[j].xx, xy = B[i].xy + B[j].xy, yy = B[i].yy + B[j].yy;
       force += Vec2{xx * gx + xy * gy, xy * gx + yy * gy};

@@ -10,7 +10,7 @@ namespace berm::sph
 /// How fit a packing is for strength reduction.
 struct PackingQuality
 {
-  double min_distance = 0; ///< of two particles, or of one and its image, over dx [-]
+  double min_distance = 0; ///< of two particles, over dx [-]
   double residual = 0;     ///< rms of dx/2 |sum_j (B_i + B_j) G_ij| inside the section [-]: the
                            ///< force of a unit stress on a cell's face that should not be there
   Index inside = 0;        ///< particles that went into the residual

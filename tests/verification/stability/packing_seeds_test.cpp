@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Claim: whatever the disorder of the seeds, the relaxed packing gives the factor of columns.
+#include "sph/fill.h"
+#include "sph/seeds.h"
+#include "tests/support/factor.h"
+
+#include <gtest/gtest.h>
+
+namespace berm::sph
+{
+class PackingSeeds : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(PackingSeeds, AllGiveTheFactorOfColumns)
+{
+  const double dx = 1, width = GetParam() * dx;
+  const meshes::Section section = meshes::build_section(tests::embankment());
+  const double F = tests::dry_factor(fill(section, dx, "columns"), section);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const std::vector<Vec2> seeds = jittered(section, square_seeds(section, dx), width, seed);
+    EXPECT_NEAR(tests::dry_factor(fill_from_seeds(section, seeds, dx, "jittered"), section) / F, 1,
+                0.02)
+        << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, PackingSeeds, testing::Values(0.1, 0.2, 0.3));
+} // namespace berm::sph
