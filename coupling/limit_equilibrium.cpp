@@ -114,6 +114,8 @@ std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, do
   for (std::size_t k = 0; k < n; ++k)
   {
     const double left = borders[k], right = borders[k + 1], middle = 0.5 * (left + right);
+    if (arc(middle) < meshes::base_level(m.section, middle))
+      return std::nullopt; // and the pore pressure is not known down there
     x.insert(x.end(), {middle, left, right});
     y.insert(y.end(),
              {arc(middle), ground_beside(m.section, left, 1), ground_beside(m.section, right, -1)});
@@ -140,8 +142,6 @@ std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, do
   {
     const double left = borders[k], right = borders[k + 1], b = right - left, xm = x[3 * k];
     const double foot = y[3 * k], g_left = y[3 * k + 1], g_right = y[3 * k + 2];
-    if (foot < meshes::base_level(m.section, xm))
-      return std::nullopt;
     const double high = 0.5 * (g_left + g_right);
     Slice slice;
     slice.alpha = std::asin(std::clamp(d * (centre.x() - xm) / radius, -1.0, 1.0));

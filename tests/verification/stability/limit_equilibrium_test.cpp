@@ -95,7 +95,7 @@ TEST_P(LimitEquilibrium, FindsThePublishedFactor)
 }
 
 INSTANTIATE_TEST_SUITE_P(Slopes, LimitEquilibrium, testing::ValuesIn(rows()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& row) { return std::string(row.param.name); });
 
 TEST(LimitEquilibriumInvariance, TheDepthOfThePoolDoesNotMatter)
 {
