@@ -151,7 +151,7 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
 
   FlowOperator flow(mesh, tensors, face_weight(mesh, conditions.face_edges));
   const Field field = solve_field(
-      flow, mesh, conditions, smoothing, k_high * height,
+      flow, mesh, conditions, smoothing, {.height = height, .conductivity = k_high},
       coarser ? from_coarser(mesh, *coarser) : full_of_water(mesh, conditions, height), observer);
   check_finite(mesh, field.p);
 

@@ -17,6 +17,10 @@ namespace
 constexpr double final_tolerance = 1e-8; ///< sum |F_free| / q of the answer [-]
 constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
 constexpr double rounding = 1e-13; ///< flows below this share of the flow scale are rounding [-]
+/// Rounding may keep a zoned section from `final_tolerance`: flows of its most conductive soil
+/// cancel to those of the least. With this residual, and steps that no longer move the pressure
+/// head by so much of the height anywhere, an iterate is converged.
+constexpr double rounded_tolerance = 1e-6, rounded_move = 1e-9;
 constexpr int smallest_step_halvings = 6; ///< backtracking stops at 2^-6
 /// Backtracking only stops a step that makes the residual this much larger: with the steps of eq.
 /// (2.9) the way to the solution often leads over a larger one.
@@ -56,10 +60,10 @@ class Iteration
 {
 public:
   Iteration(FlowOperator& flow, const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
-            const Smoothing& smoothing, double flow_scale, Start start, Observer& observer)
+            const Smoothing& smoothing, const Scales& scales, Start start, Observer& observer)
       : flow_(flow), mesh_(mesh), conditions_(conditions), smoothing_(smoothing),
-        flow_floor_(rounding * flow_scale), p_(std::move(start.p)), active_(p_.size(), 0),
-        fixed_(p_.size(), 0), observer_(observer)
+        flow_floor_(rounding * scales.conductivity * scales.height), height_(scales.height),
+        p_(std::move(start.p)), active_(p_.size(), 0), fixed_(p_.size(), 0), observer_(observer)
   {
     const double p_zero = -1e-9 * start.smoothing; // rounding of an interpolated zero
     for (std::size_t i = 0; i < p_.size(); ++i)
@@ -129,6 +133,7 @@ private:
     set_level(level);
     evaluate();
     double first = 0;
+    largest_move_ = height_;
     for (int step = 0; step < steps_per_stage; ++step)
     {
       if (observer_.stop_requested())
@@ -143,7 +148,8 @@ private:
           "  eps {:.3g} m, k_min {:.1e}, step {}: residual {:.2e}, q {:.6g} m2/s, {} changes "
           "of the seepage face\n",
           level.eps, level.k_min, step, residual, now.inflow, changes);
-      const bool small = now.imbalance < std::max(tolerance * flow, flow_floor_);
+      const bool small = now.imbalance < std::max(tolerance * flow, flow_floor_) ||
+                         (residual < rounded_tolerance && largest_move_ < rounded_move * height_);
       if (small && changes == 0)
         return true;
       if (step == 0)
@@ -254,6 +260,9 @@ private:
       for (std::size_t i = 0; i < p_.size(); ++i)
         if (!fixed_[i])
           p_[i] = moved_pressure(p[i], -s * correction_[i], eps_[i], k_min_[i]);
+      largest_move_ = 0;
+      for (std::size_t i = 0; i < p_.size(); ++i)
+        largest_move_ = std::max(largest_move_, std::abs(p_[i] - p[i]));
       evaluate();
       if (residual_norm() <= growth_allowed * before || halving == smallest_step_halvings)
         return;
@@ -264,7 +273,9 @@ private:
   const meshes::TriangleMesh& mesh_;
   const NodeConditions& conditions_;
   const Smoothing& smoothing_;
-  double flow_floor_;
+  double flow_floor_;       ///< [m2/s]
+  double height_;           ///< [m]
+  double largest_move_ = 0; ///< of a pressure head in the last step [m]
   std::vector<double> p_, F_, correction_;
   std::vector<double> eps_, k_min_; ///< of the level, largest around each node
   std::vector<std::uint8_t> active_, fixed_;
@@ -298,14 +309,14 @@ double moved_pressure(double p, double correction, double eps, double k_min)
 }
 
 Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
-                  const NodeConditions& conditions, const Smoothing& smoothing, double flow_scale,
-                  Start start, Observer& observer)
+                  const NodeConditions& conditions, const Smoothing& smoothing,
+                  const Scales& scales, Start start, Observer& observer)
 {
   const Level end{.eps = std::ranges::min(smoothing.eps),
                   .k_min = std::ranges::min(smoothing.k_min)};
   Level level{.eps = std::max(start.smoothing, end.eps), .k_min = std::max(first_k_min, end.k_min)};
   const double way = std::log(level.eps / end.eps) + std::log(level.k_min / end.k_min) + 1e-12;
-  Iteration iteration(flow, mesh, conditions, smoothing, flow_scale, std::move(start), observer);
+  Iteration iteration(flow, mesh, conditions, smoothing, scales, std::move(start), observer);
 
   // eps first, then k_min, each in steps; the last one to the tolerance of the answer.
   bool good = iteration.start(level);

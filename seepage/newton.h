@@ -38,6 +38,13 @@ struct Smoothing
   std::vector<double> k_min; ///< in each triangle [-], shape (m)
 };
 
+/// Against which rounding is judged.
+struct Scales
+{
+  double height = 0;       ///< of the water over the lowest point [m]
+  double conductivity = 0; ///< the largest [m/s]
+};
+
 /// A converged pressure field.
 struct Field
 {
@@ -50,10 +57,8 @@ struct Field
 };
 
 /// @brief Solve docs/theory.md eq. (2.6) with the complementarity (2.4) on the seepage face.
-/// @param[in] flow_scale  Largest conductivity times height [m2/s]: flows below its rounding count
-/// as none.
 /// @throws NotConverged with the history, also if the observer asks to stop.
 [[nodiscard]] Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                                 const NodeConditions& conditions, const Smoothing& smoothing,
-                                double flow_scale, Start start, Observer& observer);
+                                const Scales& scales, Start start, Observer& observer);
 } // namespace berm::seepage
