@@ -136,8 +136,8 @@ void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& 
 {
   if (!circle)
     return;
-  page.row("limit equilibrium",
-           fmt::format("Bishop {:.3f}, Spencer {}: circle about ({:.1f}, {:.1f}), radius {:.1f} m",
+  page.row("critical circle",
+           fmt::format("Bishop {:.3f}, Spencer {}: about ({:.1f}, {:.1f}), radius {:.1f} m",
                        circle->bishop,
                        circle->spencer ? fmt::format("{:.3f}", *circle->spencer) : "not converged",
                        circle->centre.x(), circle->centre.y(), circle->radius));
