@@ -253,6 +253,8 @@ private:
       case_.sph.packing = text("sph.packing");
     if (values_.has("sph.cone"))
       case_.sph.cone = text("sph.cone");
+    if (values_.has("sph.formulation"))
+      case_.sph.formulation = text("sph.formulation");
     case_.sph.threads = static_cast<int>(values_.get<std::int64_t>("sph.threads").value_or(0));
     if (const auto range = values_.get<std::vector<double>>("stability.factor_range"))
     {

@@ -201,6 +201,15 @@ const std::vector<Key> table = {
      .sentence =
          "Drucker-Prager cone, `fitted` to Mohr-Coulomb collapse in plane strain at the given "
          "dilation, or as in the `paper` (Bui et al. 2009, eq. 14), which is weaker."},
+    {.path = "sph.formulation",
+     .type = choice,
+     .choices = {"total_lagrangian", "paper"},
+     .presence = defaulted,
+     .otherwise = "\"total_lagrangian\"",
+     .sentence =
+         "`total_lagrangian`: kernels between reference positions; `paper`: kernels between "
+         "current "
+         "positions, term by term as in Bui et al. 2009, to compare with what they printed."},
     {.path = "sph.threads",
      .type = integer,
      .range = {0, 1024},

@@ -145,6 +145,7 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
           {"pore_pressure", coupling::to_string(input.water.pore_pressure)},
           {"free_surface_m", points(s.free_surface)},
           {"cone", input.sph.cone},
+          {"formulation", input.sph.formulation},
           {"packing", s.particles.packing},
           {"spacing_m", s.particles.spacing},
           {"particles", s.particles.size()},

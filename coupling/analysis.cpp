@@ -11,8 +11,10 @@
 #include "sph/packing_check.h"
 #include "sph/seeds.h"
 #include "sph/trial.h"
+#include "sph/updated_lagrangian.h"
 
 #include <fmt/core.h>
+#include <optional>
 #include <utility>
 
 namespace berm::coupling
@@ -164,15 +166,22 @@ Analysis analyse(const Case& given, Observer& observer)
               return d;
             });
 
+  std::optional<sph::MovingBody> moving;
+  if (input.sph.formulation == "paper")
+    moving = sph::moving_body(stability.particles, soils, stability.pore_pressure, section,
+                              sph::paper_settings());
+  const sph::SoilModel model = moving ? sph::SoilModel(*moving) : sph::SoilModel(body);
+
   const sph::Settled settled =
-      timed(analysis, observer, "settling", [&] { return sph::settle(body, observer); });
+      timed(analysis, observer, "settling", [&] { return sph::settle(model, observer); });
   stability.settled = settled.state;
   stability.settlement = settled.settlement;
-  sph::require_sound_settlement(settled.settlement, body, stability.particles);
+  if (!moving) // without gradient correction every packing settles too far
+    sph::require_sound_settlement(settled.settlement, body, stability.particles);
 
   const auto trial = [&](double factor, Observer& trial_observer)
   {
-    return sph::run_trial(body, settled.state, sph::reduced_cones(soils, factor, input.sph.cone),
+    return sph::run_trial(model, settled.state, sph::reduced_cones(soils, factor, input.sph.cone),
                           factor, trial_observer);
   };
   stability.factor_of_safety =

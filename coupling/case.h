@@ -44,7 +44,8 @@ struct SphSettings
   std::string packing = "auto"; ///< "auto", "columns", "lattice", "hexagonal", "mesh"
   std::string cone = "fitted";  ///< "fitted": cone fitted to Mohr-Coulomb for psi; "paper": Bui et
                                 ///< al. 2009 eq. (14)
-  int threads = 0;              ///< 0: as many as OpenMP would take
+  std::string formulation = "total_lagrangian"; ///< or "paper": docs/theory.md section 9
+  int threads = 0;                              ///< 0: as many as OpenMP would take
 };
 
 struct Output

@@ -12,21 +12,34 @@ struct VelocityGradient
   double xx = 0, xy = 0, yx = 0, yy = 0;
 };
 
-/// @brief Elastic trial stress after dt: docs/theory.md eq. (9.3).
-/// The stress turns by the angle of the spin exactly (Cayley form), so that a rigid rotation leaves
-/// the invariants as they are to rounding, whatever the step; then the strain is added.
-[[nodiscard]] inline SymTensor turn_and_strain(const SymTensor& sig, const VelocityGradient& L,
-                                               double dt, const Elastic& e)
+/// @brief Stress turned by the spin over dt: docs/theory.md eq. (9.3).
+/// The angle's Cayley form is used, so that a rigid rotation leaves the invariants as they are to
+/// rounding, whatever the step.
+[[nodiscard]] inline SymTensor turned_by(const SymTensor& sig, const VelocityGradient& L, double dt)
 {
   // Mohr's circle turns by twice the angle w; t = tan(w) to third order.
   const double t = 0.5 * dt * (L.yx - L.xy);
   const double scale = 1 / (1 + t * t), c = (1 - t * t) * scale, s = 2 * t * scale;
   const double mean = 0.5 * (sig.xx + sig.yy), half = 0.5 * (sig.xx - sig.yy);
-  const double half_new = c * half - s * sig.xy, xy_new = s * half + c * sig.xy;
+  const double half_new = c * half - s * sig.xy;
+  return {mean + half_new, mean - half_new, sig.zz, s * half + c * sig.xy};
+}
 
+/// @brief Elastic stress of the strain over dt: the second line of eq. (9.3) [Pa].
+[[nodiscard]] inline SymTensor strained_by(const VelocityGradient& L, double dt, const Elastic& e)
+{
   const double volume = dt * (e.K - 2 * e.G / 3) * (L.xx + L.yy), shear = dt * e.G;
-  return {mean + half_new + volume + 2 * shear * L.xx, mean - half_new + volume + 2 * shear * L.yy,
-          sig.zz + volume, xy_new + shear * (L.xy + L.yx)};
+  return {volume + 2 * shear * L.xx, volume + 2 * shear * L.yy, volume, shear * (L.xy + L.yx)};
+}
+
+/// a : C^-1 : b [J/m3], C the elastic stiffness.
+[[nodiscard]] inline double strain_energy_product(const SymTensor& a, const SymTensor& b,
+                                                  const Elastic& e)
+{
+  const double a_p = I1(a) / 3, b_p = I1(b) / 3;
+  const double s_s = (a.xx - a_p) * (b.xx - b_p) + (a.yy - a_p) * (b.yy - b_p) +
+                     (a.zz - a_p) * (b.zz - b_p) + 2 * a.xy * b.xy;
+  return a_p * b_p / e.K + s_s / (2 * e.G);
 }
 
 /// Elastic energy for each volume [J/m3]: I1^2 / (18 K) + J2 / (2 G).

@@ -21,7 +21,7 @@ namespace berm::sph
 struct UpdatedLagrangianSettings
 {
   bool gradient_correction = false; ///< B_i of eq. (9.2); exact on linear fields
-  bool artificial_stress = true;    ///< eq. (9.7)
+  bool artificial_stress = false;   ///< eq. (9.7); not conservative: soil in tension gains energy
   bool viscosity_both_ways = true;  ///< eq. (9.6) on recession as well as on approach
   bool geostatic_base = true;       ///< stress behind the base with its gradient, eq. (5.1)
   double local_damping = 0;         ///< zeta of eq. (3.8) [-], [0, 1)

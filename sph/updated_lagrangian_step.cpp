@@ -10,7 +10,8 @@ namespace berm::sph
 {
 namespace
 {
-constexpr double closest_to_wall = 0.1; // [dx]: nearer than this, soil stops as on a hard wall
+constexpr double closest_to_wall = 0.22; // [dx]: nearer than this, soil stops as on a hard wall
+constexpr double core_ratio = 0.4;       // [dx]: nearer than this, particles repel each other
 
 double sign(double v)
 {
@@ -76,6 +77,7 @@ double UpdatedLagrangian::update_stress(Index ii)
   const Lanes tiny = splat(1e-24 * h_ * h_);
   const Lanes norm = splat(10 / (7 * pi * h_ * h_ * h_));
   const Lanes alpha_c = splat(0.5 * set_.alpha), beta = splat(set_.beta);
+  const Lanes core = splat(core_ratio * body_.particles.spacing);
   const Lanes recession = splat(set_.viscosity_both_ways ? 1 : 0);
   Lanes L_xx = zero, L_xy = zero, L_yx = zero, L_yy = zero, f_x = zero, f_y = zero;
   Lanes M_xx = zero, M_xy = zero, M_yy = zero, mu_most = zero;
@@ -114,8 +116,9 @@ double UpdatedLagrangian::update_stress(Index ii)
     // Eq. (9.6); mu > 0 on approach.
     const Lanes mu = h * (dvx * dx + dvy * dy) / (r2 + small);
     const Lanes approach = max(mu, zero), felt = mu > zero ? mu : recession * mu;
+    const Lanes crowded = max(core / r - one, zero) * c_i * c_j;
     const Lanes Pi =
-        2 * (alpha_c * (c_i + c_j) * felt + beta * approach * approach) / (rho_i + rho_j);
+        2 * (alpha_c * (c_i + c_j) * felt + beta * approach * approach + crowded) / (rho_i + rho_j);
     f_x -= Pi * gx;
     f_y -= Pi * gy;
     mu_most = max(mu_most, u > zero ? approach : zero);
@@ -138,16 +141,18 @@ double UpdatedLagrangian::update_stress(Index ii)
   // Step 3: trial stress, return to the cone, and the energy that it dissipates.
   const auto soil = static_cast<std::size_t>(self.soil);
   const Elastic& e = body_.elastic[soil];
-  const SymTensor trial = turn_and_strain(self.sig, L, dt_before_, e);
+  const SymTensor turned = turned_by(self.sig, L, dt_before_);
+  const SymTensor trial = turned + strained_by(L, dt_before_, e);
   self.sig = trial;
   if (!cones_.empty())
   {
     const Returned returned = return_to_cone(trial, cones_[soil], e);
     self.sig = returned.sig;
     self.plastic_strain += returned.plastic_strain;
-    if (returned.sig.xx != trial.xx || returned.sig.yy != trial.yy)
-      self.plastic +=
-          matter[0] / self.density * (strain_energy(trial, e) - strain_energy(returned.sig, e));
+    // Work of the mean stress on the plastic strain: what the forces of both ends of the step lose.
+    const SymTensor plastic_stress = trial + (-1.0) * returned.sig;
+    self.plastic += 0.5 * matter[0] / self.density *
+                    strain_energy_product(turned + returned.sig, plastic_stress, e);
   }
   store_force(i, B);
 
@@ -168,7 +173,12 @@ void UpdatedLagrangian::stop_at_walls(std::size_t i, double& x, double& y, doubl
     const double base = 0.5 * (g.y0 + g.y_x * x);
     if (y < base + least)
     {
+      // The soil rubs on the base: the impulse along it is at most that across it times friction.
       y = base + least;
+      const double across = std::max(0.5 * g.y_x * vx - vy, 0.0);
+      const auto soil = static_cast<std::size_t>(self_[i].soil);
+      const double friction = cones_.empty() ? 0 : 3 * cones_[soil].alpha; // sin(phi) if psi = 0
+      vx -= sign(vx) * std::min(std::abs(vx), friction * across);
       vy = std::max(vy, 0.5 * g.y_x * vx);
     }
   }

@@ -51,6 +51,7 @@ TEST(CaseFile, FillsDefaultsIn)
   EXPECT_EQ(input.sph.spacing, 0);
   EXPECT_EQ(input.sph.packing, "auto");
   EXPECT_EQ(input.sph.cone, "fitted");
+  EXPECT_EQ(input.sph.formulation, "total_lagrangian");
   EXPECT_EQ(input.sph.threads, 0);
   EXPECT_TRUE(input.stability);
   EXPECT_TRUE(input.seepage.adaptive);
