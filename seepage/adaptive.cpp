@@ -52,6 +52,7 @@ double mean(const Conductivity& k)
   return std::sqrt(k.kx * k.ky);
 }
 
+/// docs/theory.md eq. (2.3).
 ConductivityTensor tensor(const Conductivity& k)
 {
   const double c = std::cos(k.angle), s = std::sin(k.angle);

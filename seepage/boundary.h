@@ -45,10 +45,10 @@ struct NodeConditions
 [[nodiscard]] std::vector<double> face_weight(const meshes::TriangleMesh& mesh,
                                               std::span<const Index> face_edges);
 
-/// @brief Water that enters through each stretch [m2/s]: the reactions of its nodes and its
-/// prescribed inflow. The reaction of a node where stretches meet is shared among the edges there
-/// that impose its condition (of kind head at a node of kind head; potential seepage face at one of
-/// kind face), in proportion to their lengths.
+/// @brief Water that enters through each stretch [m2/s], docs/theory.md eq. (2.7): the reactions of
+/// its nodes and its prescribed inflow. The reaction of a node where stretches meet is shared among
+/// the edges there that impose its condition (of kind head at a node of kind head; potential
+/// seepage face at one of kind face), in proportion to their lengths.
 /// @param[in] reaction  At each node, > 0 into the soil, without the load [m2/s], shape (n).
 [[nodiscard]] std::vector<double> stretch_inflow(const meshes::TriangleMesh& mesh,
                                                  std::span<const Boundary> boundary,

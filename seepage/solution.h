@@ -27,7 +27,8 @@ struct SolveHistory
 struct Solution
 {
   meshes::TriangleMesh mesh;
-  std::vector<double> head;          ///< p / gamma_w + y at the nodes [m], shape (n)
+  std::vector<double>
+      head; ///< p / gamma_w + y at the nodes, docs/theory.md eq. (2.1) [m], shape (n)
   std::vector<double> pore_pressure; ///< p at the nodes [Pa], compression positive, < 0 above the
                                      ///< free surface, shape (n)
   std::vector<Vec2> flux; ///< Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m)
