@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Particle-steps per CPU second of the updated-Lagrangian solver: a collapsing column of rods, so
 /// that the list is made again as in a run-out. Usage: bench_updated_lagrangian [steps]
 #include "sph/updated_lagrangian.h"

@@ -1,5 +1,5 @@
 // berm: slope safety with the water where it really is.
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The only translation unit that sees dolfinx and PETSc.
 #include "seepage/flow_operator.h"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two passes of a time step of the updated-Lagrangian solver: docs/theory.md section 9.
 #include "sph/bounded_inverse.h"
 #include "sph/updated_lagrangian.h"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Confined flow with closed forms, and the order of the error: docs/verification.md S-6.
 #include "meshes/planar.h"
 #include "tests/verification/seepage_cases.h"

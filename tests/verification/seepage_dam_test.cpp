@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Dams with exact solutions: docs/verification.md S-1, S-2, S-3. All with default settings.
 #include "tests/verification/seepage_cases.h"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Embankments without closed form, against a P2 code that tracks the free surface and has the exact
 // rectangular dam to 2e-4: docs/verification.md S-4, S-5. Default settings.
 #include "tests/verification/seepage_cases.h"

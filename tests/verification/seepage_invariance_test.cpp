@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What must not change, and what must hold in every solution: docs/verification.md S-7.
 #include "tests/verification/seepage_cases.h"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bad-input tests that are generated from the key table: a new key is tested the day it is added.
 #include "app/case_schema.h"
 #include "case_text.h"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The embankment of Bui et al. 2009 in their own terms, and a failed slope left to run on.
 #include "app/case_file.h"
 #include "coupling/analysis.h"

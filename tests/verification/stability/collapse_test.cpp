@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claims D-8 and D-9 of docs/verification.md: soil that moves far, on the updated-Lagrangian
 /// solver.
 #include "sph/fill.h"

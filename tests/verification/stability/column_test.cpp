@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claims D-1, D-2 and D-4 of docs/verification.md: a soil column between rollers against closed
 /// forms.
 #include "sph/fill.h"

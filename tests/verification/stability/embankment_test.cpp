@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claim F-1 of docs/verification.md: the two-sided embankment in its three waters, from the
 /// shipped case files. References: strict finite-element strength reduction with psi = 0
 /// gives 2.40-2.42 dry, 1.83-1.87 under the straight line, 1.66-1.70 with seepage; critical Bishop

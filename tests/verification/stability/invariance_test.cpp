@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claim D-10 of docs/verification.md: what the factor of safety must not depend on.
 #include "coupling/analysis.h"
 #include "tests/support/sections.h"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claim: whatever the disorder of the seeds, the relaxed packing gives the factor of columns.
 #include "sph/fill.h"
 #include "sph/seeds.h"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Claim: the factor of safety does not depend on how the section is packed.
 #include "sph/fill.h"
 #include "sph/seeds.h"
