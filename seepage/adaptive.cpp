@@ -33,7 +33,7 @@ constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-9;
 
 constexpr double elements_over_height = 20, elements_over_drop = 12; ///< default element size
 constexpr double largest_default_mesh =
-    2600;                         ///< the default size leaves the area no more squares than this
+    4000;                         ///< the default size leaves the area no more squares than this
 constexpr double refinement = 12; ///< default element size over the refined one
 constexpr double inner_share = 0.5,
                  outer_share = 4;         ///< of the band of refinement over the element size
@@ -138,21 +138,23 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
     height = std::max(height, conditions.highest_head - x.y());
 
   const std::vector<Conductivity> k_sat = conductivities(mesh, conductivity);
-  const double k_low = mean(std::ranges::min(k_sat, {}, mean));
-  const double k_high = mean(std::ranges::max(k_sat, {}, mean));
   std::vector<ConductivityTensor> tensors;
   Smoothing smoothing{.eps = element_sizes(mesh), .k_min = {}};
   for (double& eps : smoothing.eps)
     eps *= smoothing_share;
+  std::vector<double> k_mean;
   for (const Conductivity& k : k_sat)
   {
     tensors.push_back(tensor(k));
-    smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / mean(k), k_min_floor, k_min_own));
+    k_mean.push_back(mean(k));
   }
+  const double k_low = std::ranges::min(k_mean);
+  for (const double k : k_mean) // docs/theory.md eq. (2.10)
+    smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
 
   FlowOperator flow(mesh, tensors, face_weight(mesh, conditions.face_edges));
   const Field field = solve_field(
-      flow, mesh, conditions, smoothing, {.height = height, .conductivity = k_high},
+      flow, mesh, conditions, smoothing, {.height = height, .conductivity = k_mean},
       coarser ? from_coarser(mesh, *coarser) : full_of_water(mesh, conditions, height), observer);
   check_finite(mesh, field.p);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,11 +17,8 @@ namespace
 {
 constexpr double final_tolerance = 1e-8; ///< sum |F_free| / q of the answer [-]
 constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
-constexpr double rounding = 1e-13; ///< flows below this share of the flow scale are rounding [-]
-/// Rounding may keep a zoned section from `final_tolerance`: flows of its most conductive soil
-/// cancel to those of the least. With this residual, and steps that no longer move the pressure
-/// head by so much of the height anywhere, an iterate is converged.
 constexpr double rounded_tolerance = 1e-6, rounded_move = 1e-9;
+constexpr double lost_outflow = 1e-12;    ///< of the discharge: less through a node is rounding [-]
 constexpr int smallest_step_halvings = 6; ///< backtracking stops at 2^-6
 /// Backtracking only stops a step that makes the residual this much larger: with the steps of eq.
 /// (2.9) the way to the solution often leads over a larger one.
@@ -54,6 +52,9 @@ struct Totals
 {
   double inflow = 0, outflow = 0; ///< through nodes with a condition, and prescribed
   double imbalance = 0;           ///< sum of |F| over the free nodes
+  double rounding = 0;            ///< what rounding may make of a flow of zero
+
+  [[nodiscard]] double flow() const { return std::max(inflow, outflow); }
 };
 
 class Iteration
@@ -62,8 +63,8 @@ public:
   Iteration(FlowOperator& flow, const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
             const Smoothing& smoothing, const Scales& scales, Start start, Observer& observer)
       : flow_(flow), mesh_(mesh), conditions_(conditions), smoothing_(smoothing),
-        flow_floor_(rounding * scales.conductivity * scales.height), height_(scales.height),
-        p_(std::move(start.p)), active_(p_.size(), 0), fixed_(p_.size(), 0), observer_(observer)
+        conductivity_(scales.conductivity), height_(scales.height), p_(std::move(start.p)),
+        active_(p_.size(), 0), fixed_(p_.size(), 0), observer_(observer)
   {
     const double p_zero = -1e-9 * start.smoothing; // rounding of an interpolated zero
     for (std::size_t i = 0; i < p_.size(); ++i)
@@ -113,8 +114,8 @@ public:
   Field finish()
   {
     const Totals now = totals();
-    const bool flows = std::max(now.inflow, now.outflow) > flow_floor_;
-    history_.residual = flows ? now.imbalance / std::max(now.inflow, now.outflow) : 0;
+    const bool flows = now.flow() > now.rounding;
+    history_.residual = flows ? now.imbalance / now.flow() : 0;
     history_.discharge = flows ? now.inflow : 0;
     return {.p = std::move(p_),
             .entering = std::move(F_),
@@ -142,14 +143,16 @@ private:
       if (changes > 0)
         evaluate();
       const Totals now = totals();
-      const double flow = std::max({now.inflow, now.outflow, flow_floor_});
-      const double residual = now.imbalance / flow;
+      const double residual = now.imbalance / std::max(now.flow(), now.rounding);
       log_ += fmt::format(
           "  eps {:.3g} m, k_min {:.1e}, step {}: residual {:.2e}, q {:.6g} m2/s, {} changes "
           "of the seepage face\n",
           level.eps, level.k_min, step, residual, now.inflow, changes);
-      const bool small = now.imbalance < std::max(tolerance * flow, flow_floor_) ||
-                         (residual < rounded_tolerance && largest_move_ < rounded_move * height_);
+      const bool nothing_flows = now.flow() <= now.rounding && now.imbalance <= now.rounding;
+      const bool only_rounding_moves =
+          residual < rounded_tolerance && largest_move_ < rounded_move * height_;
+      const bool small =
+          now.imbalance < tolerance * now.flow() || nothing_flows || only_rounding_moves;
       if (small && changes == 0)
         return true;
       if (step == 0)
@@ -172,21 +175,21 @@ private:
 
   void set_level(const Level& level)
   {
-    std::vector<double> eps = smoothing_.eps, k_min = smoothing_.k_min;
+    level_ = smoothing_;
     eps_.assign(p_.size(), 0);
     k_min_.assign(p_.size(), 0);
-    for (std::size_t t = 0; t < eps.size(); ++t)
+    for (std::size_t t = 0; t < level_.eps.size(); ++t)
     {
-      eps[t] = std::max(eps[t], level.eps);
-      k_min[t] = std::max(k_min[t], level.k_min);
+      level_.eps[t] = std::max(level_.eps[t], level.eps);
+      level_.k_min[t] = std::max(level_.k_min[t], level.k_min);
       for (const Index node : mesh_.triangles[t])
       {
         const auto i = static_cast<std::size_t>(node);
-        eps_[i] = std::max(eps_[i], eps[t]);
-        k_min_[i] = std::max(k_min_[i], k_min[t]);
+        eps_[i] = std::max(eps_[i], level_.eps[t]);
+        k_min_[i] = std::max(k_min_[i], level_.k_min[t]);
       }
     }
-    flow_.set_relative_conductivity(eps, k_min);
+    flow_.set_relative_conductivity(level_.eps, level_.k_min);
   }
 
   /// F: water that enters at the nodes beyond what is prescribed there.
@@ -202,13 +205,17 @@ private:
   /// out.
   int update_active_set()
   {
+    // Far down a wet plain outflow falls below rounding: such a node stays active.
+    const Totals now = totals();
+    const double least =
+        -(lost_outflow * now.flow() + now.rounding / static_cast<double>(p_.size()));
     int changes = 0;
     for (std::size_t i = 0; i < p_.size(); ++i)
     {
       if (conditions_.kind[i] != NodeKind::face)
         continue;
       const double outflow = -F_[i];
-      if (active_[i] && outflow < 0)
+      if (active_[i] && outflow < least)
       {
         active_[i] = 0;
         fixed_[i] = 0;
@@ -234,6 +241,19 @@ private:
         t.imbalance += std::abs(F_[i]);
       t.inflow += std::max(reaction, 0.0) + std::max(conditions_.load[i], 0.0);
       t.outflow += std::max(-reaction, 0.0) + std::max(-conditions_.load[i], 0.0);
+    }
+    // F sums products of conductivity and pressure head that cancel where the head is constant.
+    for (std::size_t k = 0; k < mesh_.triangles.size(); ++k)
+    {
+      double highest = -std::numeric_limits<double>::infinity(), largest = 0;
+      for (const Index node : mesh_.triangles[k])
+      {
+        const double p = p_[static_cast<std::size_t>(node)];
+        highest = std::max(highest, p);
+        largest = std::max(largest, std::abs(p));
+      }
+      t.rounding += std::numeric_limits<double>::epsilon() * conductivity_[k] * largest *
+                    relative_conductivity(highest, 1, level_.eps[k], level_.k_min[k]);
     }
     return t;
   }
@@ -273,11 +293,12 @@ private:
   const meshes::TriangleMesh& mesh_;
   const NodeConditions& conditions_;
   const Smoothing& smoothing_;
-  double flow_floor_;       ///< [m2/s]
-  double height_;           ///< [m]
-  double largest_move_ = 0; ///< of a pressure head in the last step [m]
+  std::span<const double> conductivity_; ///< of each triangle [m/s]
+  double height_;                        ///< [m]
+  double largest_move_ = 0;              ///< of a pressure head in the last step [m]
   std::vector<double> p_, F_, correction_;
-  std::vector<double> eps_, k_min_; ///< of the level, largest around each node
+  Smoothing level_;                 ///< of the present level
+  std::vector<double> eps_, k_min_; ///< the same, largest around each node
   std::vector<std::uint8_t> active_, fixed_;
   SolveHistory history_;
   std::string log_;

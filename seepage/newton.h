@@ -41,8 +41,8 @@ struct Smoothing
 /// Against which rounding is judged.
 struct Scales
 {
-  double height = 0;       ///< of the water over the lowest point [m]
-  double conductivity = 0; ///< the largest [m/s]
+  double height = 0;                    ///< of the water over the lowest point [m]
+  std::span<const double> conductivity; ///< of each triangle [m/s], shape (m)
 };
 
 /// A converged pressure field.

@@ -88,6 +88,45 @@ TEST(Solve, PutsANodeWhereASideMeetsItsHead)
   EXPECT_GT(s.exit_point->y(), 0.6);
 }
 
+/// A levee on a plain of 200 m on either side.
+meshes::SectionInput levee()
+{
+  meshes::SectionInput input;
+  input.ground = {{0, 5}, {200, 5}, {208, 9}, {211, 9}, {219, 5}, {419, 5}};
+  input.base = {{0, 0}, {419, 0}};
+  return input;
+}
+
+TEST(Solve, EqualPoolsMoveNothing)
+{
+  meshes::SectionInput input = levee();
+  input.left_pool_level = input.right_pool_level = 8;
+  const meshes::Section section = meshes::build_section(input);
+  Observer observer;
+  const Solution s =
+      solve(section, {{1e-6, 1e-6, 0}}, boundary_conditions(section, {}), {}, observer);
+  EXPECT_EQ(s.discharge, 0);
+  EXPECT_EQ(s.balance, 0);
+  EXPECT_FALSE(s.exit_point);
+  for (const double head : s.head)
+    EXPECT_NEAR(head, 8, 1e-10);
+  EXPECT_NEAR(phreatic_level(s, 210).value(), 8, 1e-10);
+}
+
+TEST(Solve, OutflowThatFadesBelowRoundingDoesNotUnsettleTheSeepageFace)
+{
+  // Far out on the plain water comes up at 1e-17 of the discharge.
+  meshes::SectionInput input = levee();
+  input.left_pool_level = 8;
+  const meshes::Section section = meshes::build_section(input);
+  Observer observer;
+  const Solution s =
+      solve(section, {{1e-6, 1e-6, 0}}, boundary_conditions(section, {}), {}, observer);
+  EXPECT_LT(s.balance, 1e-8);
+  for (const SolveHistory& mesh : s.history)
+    EXPECT_LT(mesh.newton_steps, 30); // about ten and fifteen
+}
+
 TEST(Solve, WithoutConductivityIsAnInputError)
 {
   const meshes::Section section = dam();
