@@ -113,6 +113,7 @@ void set_density(sph::Particles& particles, const std::vector<sph::Soil>& soils,
     particles.density[i] = p_w[i] > 0 ? soil.saturated_density : soil.density;
   }
 }
+
 /// The critical circle on the side to which the slope fails; on the weaker side if that is not
 /// known.
 std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& model,
@@ -195,6 +196,8 @@ Analysis analyse(const Case& given, Observer& observer)
   stability.particle_steps = steps * static_cast<double>(stability.particles.size());
   if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
     stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
+  if (analysis.interrupted)
+    return analysis;
   stability.critical_circle =
       timed(analysis, observer, "limit equilibrium",
             [&] {
