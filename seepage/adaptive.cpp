@@ -38,7 +38,7 @@ constexpr double refinement = 12; ///< default element size over the refined one
 constexpr double inner_share = 0.5,
                  outer_share = 4;         ///< of the band of refinement over the element size
 constexpr double simplification = 0.1;    ///< of the line refined along, over the element size
-constexpr int refined_meshes = 3;         ///< at most, if the free surface moves out of the band
+constexpr int refined_meshes = 2;         ///< at most, if the free surface moves out of the band
 constexpr double unresolved_share = 0.02; ///< of the free surface's length that may lie outside it
 constexpr double singular_angle = 5 * pi / 180; ///< beyond which a corner counts as singular [rad]
 

@@ -23,11 +23,15 @@ constexpr int smallest_step_halvings = 6; ///< backtracking stops at 2^-6
 /// Backtracking only stops a step that makes the residual this much larger: with the steps of eq.
 /// (2.9) the way to the solution often leads over a larger one.
 constexpr double growth_allowed = 10;
+constexpr double strict_below =
+    1e-5; ///< at such a residual no growth: k_r has a kink to cycle about
 constexpr double largest_drying = 2; ///< of a node in one step, over eps
 
 // A stage has failed that is not done by so many steps, that has not halved its residual by so
 // many, or whose residual grows by so much.
 constexpr int steps_per_stage = 40, steps_to_halve = 12;
+constexpr double nearly_there =
+    0.05; ///< below half of this residual a stage gets all its steps [-]
 constexpr double divergence = 1e3;
 
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
@@ -158,9 +162,9 @@ private:
       if (step == 0)
         first = residual;
       if (!(residual < divergence * std::max(first, 1.0)) ||
-          (step >= steps_to_halve && residual > 0.5 * first))
+          (step >= steps_to_halve && residual > 0.5 * std::max(first, nearly_there)))
         return false;
-      newton_step();
+      newton_step(residual < strict_below ? 1 : growth_allowed);
       ++history_.newton_steps;
     }
     return false;
@@ -269,7 +273,7 @@ private:
 
   /// p <- p - s J^-1 F with the largest s = 1, 1/2, ... that keeps |F| in bounds, the set held
   /// fixed.
-  void newton_step()
+  void newton_step(double growth)
   {
     const double before = residual_norm();
     flow_.correction(p_, fixed_, F_, correction_);
@@ -284,7 +288,7 @@ private:
       for (std::size_t i = 0; i < p_.size(); ++i)
         largest_move_ = std::max(largest_move_, std::abs(p_[i] - p[i]));
       evaluate();
-      if (residual_norm() <= growth_allowed * before || halving == smallest_step_halvings)
+      if (residual_norm() <= growth * before || halving == smallest_step_halvings)
         return;
     }
   }

@@ -33,7 +33,7 @@ struct Boundary
 struct Settings
 {
   /// Edge length away from the free surface [m]. 0: a 20th of the section's height or a 12th of the
-  /// drop of the water, whichever is less, but not so small that the coarse mesh exceeds 6000
+  /// drop of the water, whichever is less, but not so small that the coarse mesh exceeds 10 000
   /// triangles.
   double element_size = 0;
   double refined_size =
