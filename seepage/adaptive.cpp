@@ -31,13 +31,13 @@ constexpr double first_smoothing = 0.25; ///< eps at the start over the height o
 // most that share of the least conductive soil's: a dry drain must not pass what a wet core does.
 constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-9;
 
-constexpr double elements_over_height = 20, elements_over_drop = 12; ///< default element size
-constexpr double largest_default_mesh =
-    4000;                         ///< the default size leaves the area no more squares than this
+// Default element size: the height over so many, the drop of the water over so many, but the area
+// not in more squares than this.
+constexpr double elements_over_height = 20, elements_over_drop = 12, largest_default_mesh = 4000;
 constexpr double refinement = 12; ///< default element size over the refined one
-constexpr double inner_share = 0.5,
-                 outer_share = 4;         ///< of the band of refinement over the element size
-constexpr double simplification = 0.1;    ///< of the line refined along, over the element size
+// The band that is refined: up to the first distance the refined size, from the second on the
+// coarse one; over the element size. The line that it follows may leave out bends of so much of it.
+constexpr double inner_share = 0.5, outer_share = 4, simplification = 0.1;
 constexpr int refined_meshes = 2;         ///< at most, if the free surface moves out of the band
 constexpr double unresolved_share = 0.02; ///< of the free surface's length that may lie outside it
 constexpr double singular_angle = 5 * pi / 180; ///< beyond which a corner counts as singular [rad]

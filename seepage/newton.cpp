@@ -17,22 +17,24 @@ namespace
 {
 constexpr double final_tolerance = 1e-8; ///< sum |F_free| / q of the answer [-]
 constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
+// Rounding may keep a zoned section from the first: flows of its most conductive soil cancel to
+// those of the least. With this residual, and steps that move the pressure head by no more than
+// this share of the height anywhere, an iterate is converged all the same.
 constexpr double rounded_tolerance = 1e-6, rounded_move = 1e-9;
-constexpr double lost_outflow = 1e-12;    ///< of the discharge: less through a node is rounding [-]
-constexpr int smallest_step_halvings = 6; ///< backtracking stops at 2^-6
-/// Backtracking only stops a step that makes the residual this much larger: with the steps of eq.
-/// (2.9) the way to the solution often leads over a larger one.
-constexpr double growth_allowed = 10;
-constexpr double strict_below =
-    1e-5; ///< at such a residual no growth: k_r has a kink to cycle about
+constexpr double lost_outflow = 1e-12; ///< over q: less through a node is rounding [-]
+
+// Backtracking, to 2^-6 of a step, only stops one that makes the residual ten times larger: with
+// the steps of eq. (2.9) the way to the solution often leads over a larger one. Near the end it
+// allows no growth, for k_r has a kink that iterates may cycle about.
+constexpr int smallest_step_halvings = 6;
+constexpr double growth_allowed = 10, strict_below = 1e-5;
 constexpr double largest_drying = 2; ///< of a node in one step, over eps
 
-// A stage has failed that is not done by so many steps, that has not halved its residual by so
-// many, or whose residual grows by so much.
+// A stage has failed that is not done by so many steps, or that has not halved its residual (or got
+// it down to half of `nearly_there`) by so many, or whose residual grows by the factor
+// `divergence`.
 constexpr int steps_per_stage = 40, steps_to_halve = 12;
-constexpr double nearly_there =
-    0.05; ///< below half of this residual a stage gets all its steps [-]
-constexpr double divergence = 1e3;
+constexpr double nearly_there = 0.05, divergence = 1e3;
 
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
 constexpr double first_k_min = 1e-4;       ///< until eps is final [-]

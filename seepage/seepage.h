@@ -36,8 +36,8 @@ struct Settings
   /// drop of the water, whichever is less, but not so small that the coarse mesh exceeds 10 000
   /// triangles.
   double element_size = 0;
-  double refined_size =
-      0; ///< edge length along the free surface when adaptive [m]; 0: element_size / 12
+  /// Edge length along the free surface when adaptive [m]. 0: a twelfth of element_size.
+  double refined_size = 0;
   bool adaptive = true; ///< solve coarse, refine along the free surface, solve again
 };
 

@@ -27,21 +27,23 @@ struct SolveHistory
 struct Solution
 {
   meshes::TriangleMesh mesh;
-  std::vector<double>
-      head; ///< p / gamma_w + y at the nodes, docs/theory.md eq. (2.1) [m], shape (n)
-  std::vector<double> pore_pressure; ///< p at the nodes [Pa], compression positive, < 0 above the
-                                     ///< free surface, shape (n)
-  std::vector<Vec2> flux; ///< Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m)
-  std::vector<Polyline>
-      phreatic_lines; ///< p = 0 inside the soil, from left to right, longest first [m]
-  std::optional<Vec2>
-      exit_point;       ///< where the seepage face ends: its highest wet point, inside its edge [m]
-  double discharge = 0; ///< sum of the inflow reactions [m2/s], > 0
-  double inflow = 0, outflow = 0;     ///< both > 0 [m2/s]
-  double balance = 0;                 ///< |inflow - outflow| / inflow [-]
-  std::vector<double> stretch_inflow; ///< reaction summed over each of the section's stretches
-                                      ///< [m2/s], > 0 into the soil
-  std::vector<SolveHistory> history;  ///< one entry a mesh, coarse to fine
+  /// p / gamma_w + y at the nodes [m], shape (n); docs/theory.md eq. (2.1).
+  std::vector<double> head;
+  /// p at the nodes [Pa], compression positive, < 0 above the free surface, shape (n).
+  std::vector<double> pore_pressure;
+  /// Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m).
+  std::vector<Vec2> flux;
+  /// p = 0 inside the soil [m], from left to right, longest first.
+  std::vector<Polyline> phreatic_lines;
+  /// Where the seepage face ends: its highest wet point, inside its edge [m]; docs/theory.md eq.
+  /// (2.11).
+  std::optional<Vec2> exit_point;
+  double discharge = 0;           ///< what enters [m2/s], from reactions; 0 if only rounding flows
+  double inflow = 0, outflow = 0; ///< both >= 0 [m2/s]
+  double balance = 0;             ///< |inflow - outflow| / inflow [-]
+  /// Water that enters through each of the section's stretches [m2/s], > 0 into the soil.
+  std::vector<double> stretch_inflow;
+  std::vector<SolveHistory> history; ///< one entry a mesh, coarse to fine
   Seconds seconds;
 };
 
