@@ -153,9 +153,24 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
     smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
 
   FlowOperator flow(mesh, tensors, face_weight(mesh, conditions.face_edges));
-  const Field field = solve_field(
-      flow, mesh, conditions, smoothing, {.height = height, .conductivity = k_mean},
-      coarser ? from_coarser(mesh, *coarser) : full_of_water(mesh, conditions, height), observer);
+  const auto solve_with = [&](Start start)
+  {
+    return solve_field(flow, mesh, conditions, smoothing,
+                       {.height = height, .conductivity = k_mean}, std::move(start), observer);
+  };
+  std::optional<Field> warm;
+  if (coarser)
+    try
+    {
+      warm = solve_with(from_coarser(mesh, *coarser));
+    }
+    catch (const NotConverged&)
+    {
+      if (observer.stop_requested())
+        throw;
+      observer.note("the coarser mesh's solution was no good start; starting anew");
+    }
+  const Field field = warm ? std::move(*warm) : solve_with(full_of_water(mesh, conditions, height));
   check_finite(mesh, field.p);
 
   Solution solution;

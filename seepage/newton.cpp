@@ -39,6 +39,7 @@ constexpr double nearly_there = 0.05, divergence = 1e3;
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
 constexpr double first_k_min = 1e-4;       ///< until eps is final [-]
 constexpr double stage_factor_k_min = 0.1; ///< of k_min from level to level after that
+constexpr int reported_steps = 40;         ///< of the history in an error
 constexpr int bisections = 4;              ///< how often the way to a level that failed is halved
 constexpr double first_growth = 4;         ///< of the first eps if the first stage fails
 constexpr int first_tries = 4;
@@ -131,7 +132,15 @@ public:
             .history = history_};
   }
 
-  [[nodiscard]] const std::string& log() const { return log_; }
+  /// The last Newton steps, a line each.
+  [[nodiscard]] std::string history() const
+  {
+    std::size_t from = log_.size();
+    for (int lines = 0; from > 0 && lines <= reported_steps; ++lines)
+      from = log_.rfind('\n', from - 1) == std::string::npos ? 0 : log_.rfind('\n', from - 1);
+    return fmt::format("{} Newton steps, the last of them:\n{}", history_.newton_steps,
+                       log_.substr(from > 0 ? from + 1 : 0));
+  }
 
 private:
   /// Newton steps at one level until converged; false if they do not get there.
@@ -144,7 +153,7 @@ private:
     for (int step = 0; step < steps_per_stage; ++step)
     {
       if (observer_.stop_requested())
-        throw NotConverged("seepage: interrupted; the Newton history so far:\n" + log_);
+        throw NotConverged("seepage: interrupted after " + history());
       const int changes = update_active_set();
       if (changes > 0)
         evaluate();
@@ -361,8 +370,7 @@ Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
     level = next;
   }
   if (!good)
-    throw NotConverged("seepage: the Newton iteration did not converge; its history:\n" +
-                       iteration.log());
+    throw NotConverged("seepage: no convergence in " + iteration.history());
   return iteration.finish();
 }
 } // namespace berm::seepage

@@ -138,6 +138,27 @@ TEST(Solve, WithoutConductivityIsAnInputError)
         InputError);
 }
 
+TEST(Solve, WithoutAnAnswerIsNotConvergedAndTellsItsHistory)
+{
+  // More water is to leave through the dry top than dry soil conducts.
+  meshes::SectionInput input = tests::rectangle_input(4, 3.5);
+  input.left_pool_level = 3;
+  input.marked_lines = {{{0, 3.5}, {4, 3.5}}};
+  const meshes::Section section = meshes::build_section(input);
+  Observer observer;
+  try
+  {
+    static_cast<void>(solve(section, {{1, 1, 0}},
+                            boundary_conditions(section, {{BoundaryKind::inflow, -0.5}}), quick,
+                            observer));
+    FAIL() << "no error";
+  }
+  catch (const NotConverged& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("residual"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Solve, StopsWhenAsked)
 {
   struct Stop : Observer
