@@ -222,13 +222,6 @@ def trials_figure(result):
         ax.set_ylim(bottom=0)
     ax.set_xlabel("trial factor on strength [-]")
     ax.set_ylabel("largest displacement at the end of the trial [m]")
-    circle = stability.get("limit_equilibrium")
-    if circle:
-        x = np.linspace(circle["x_left_m"], circle["x_right_m"], 200)
-        (x_c, y_c), radius = circle["centre_m"], circle["radius_m"]
-        y = y_c - np.sqrt(np.maximum(radius**2 - (x - x_c) ** 2, 0))
-        ax.plot(x, y, color="0.75", lw=1.5, ls="--", zorder=6,
-                label=f"critical circle (Bishop {circle['bishop']:.3f})")
     found = stability["factor"]
     answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
     ax.set_title(f"{result['title']}: {answer}")
