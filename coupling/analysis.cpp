@@ -9,6 +9,7 @@
 #include "sph/discretisation.h"
 #include "sph/fill.h"
 #include "sph/packing_check.h"
+#include "sph/run_out.h"
 #include "sph/seeds.h"
 #include "sph/trial.h"
 #include "sph/updated_lagrangian.h"
@@ -126,9 +127,56 @@ std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& mode
   const auto left = critical_circle(model, false, 0), right = critical_circle(model, true, 0);
   return !left || (right && right->bishop < left->bishop) ? right : left;
 }
+/// Undamped but for viscosity; in the terms of the formulation that the trials used.
+sph::UpdatedLagrangianSettings run_out_terms(const SphSettings& settings)
+{
+  if (settings.formulation != "paper")
+    return {.gradient_correction = true};
+  sph::UpdatedLagrangianSettings terms = sph::paper_settings();
+  terms.local_damping = 0;
+  return terms;
+}
+
+/// Nothing if it was to go on from a failing trial and there is none.
+std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
+                              const std::vector<sph::Soil>& soils, const PorePressure& p_w,
+                              const Stability& stability, RunOutStore& frames, Observer& observer)
+{
+  const sph::Trial* failing = stability.factor_of_safety.failing_trial();
+  if (!input.run_out->factor && !failing)
+  {
+    observer.warn("no run-out: no trial failed, and runout.factor is not given");
+    return std::nullopt;
+  }
+  RunOut result;
+  result.from_trial = !input.run_out->factor;
+  result.factor = input.run_out->factor ? *input.run_out->factor : failing->factor;
+  const bool wet = input.water.pore_pressure != PorePressureKind::none;
+  sph::MovingBody body = sph::moving_body(stability.particles, soils,
+                                          wet ? stability.pore_pressure : std::vector<double>{},
+                                          section, run_out_terms(input.sph));
+  if (wet)
+    body.reread_pressure = input.water.pore_pressure == PorePressureKind::seepage
+                               ? pore_pressure_in_space(p_w, section)
+                               : p_w;
+  const sph::Frame first =
+      sph::first_frame(body, result.from_trial ? failing->state : stability.settled);
+  frames.open(stability.particles, result.factor);
+  result.motion =
+      sph::run_out(body, sph::reduced_cones(soils, result.factor, input.sph.cone), first,
+                   section.y_max - section.y_min, input.run_out->motion, frames, observer);
+  result.shape = sph::final_shape(stability.particles, result.motion.last.state, section);
+  return result;
+}
 } // namespace
 
-Analysis analyse(const Case& given, Observer& observer)
+Analysis analyse(const Case& input, Observer& observer)
+{
+  RunOutStore none;
+  return analyse(input, observer, none);
+}
+
+Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
 {
   Case input = given;
   Analysis analysis;
@@ -140,7 +188,7 @@ Analysis analyse(const Case& given, Observer& observer)
     analysis.seepage = timed(analysis, observer, "seepage",
                              [&] { return solve_seepage(input, section, observer); });
 #endif
-  if (!input.stability || observer.stop_requested())
+  if ((!input.stability && !input.run_out) || observer.stop_requested())
   {
     analysis.interrupted = observer.stop_requested();
     return analysis;
@@ -185,9 +233,10 @@ Analysis analyse(const Case& given, Observer& observer)
     return sph::run_trial(model, settled.state, sph::reduced_cones(soils, factor, input.sph.cone),
                           factor, trial_observer);
   };
-  stability.factor_of_safety =
-      timed(analysis, observer, "strength reduction",
-            [&] { return sph::reduce_strength(trial, input.search, observer); });
+  if (input.stability)
+    stability.factor_of_safety =
+        timed(analysis, observer, "strength reduction",
+              [&] { return sph::reduce_strength(trial, input.search, observer); });
   analysis.interrupted = observer.stop_requested();
 
   double steps = static_cast<double>(settled.steps);
@@ -196,13 +245,22 @@ Analysis analyse(const Case& given, Observer& observer)
   stability.particle_steps = steps * static_cast<double>(stability.particles.size());
   if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
     stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
-  if (analysis.interrupted)
-    return analysis;
-  stability.critical_circle =
-      timed(analysis, observer, "limit equilibrium",
-            [&] {
-              return find_critical_circle({section, soils, p_w}, stability.mechanism);
-            });
+  if (input.stability && !analysis.interrupted)
+    stability.critical_circle =
+        timed(analysis, observer, "limit equilibrium",
+              [&] {
+                return find_critical_circle({section, soils, p_w}, stability.mechanism);
+              });
+  if (input.run_out && !analysis.interrupted)
+    analysis.run_out =
+        timed(analysis, observer, "run-out",
+              [&] { return run_out(input, section, soils, p_w, stability, frames, observer); });
+  if (analysis.run_out)
+  {
+    stability.particle_steps += static_cast<double>(analysis.run_out->motion.steps) *
+                                static_cast<double>(stability.particles.size());
+    analysis.interrupted = analysis.run_out->motion.interrupted;
+  }
   return analysis;
 }
 } // namespace berm::coupling

@@ -9,6 +9,7 @@
 #include "seepage/solution.h"
 #include "sph/mechanism.h"
 #include "sph/particles.h"
+#include "sph/run_out.h"
 #include "sph/strength_reduction.h"
 
 #include <optional>
@@ -29,7 +30,16 @@ struct Stability
   sph::FactorOfSafety factor_of_safety;
   std::optional<sph::Mechanism> mechanism;   ///< of the failing trial
   std::optional<SlipCircle> critical_circle; ///< by limit equilibrium, to the side of the mechanism
-  double particle_steps = 0;                 ///< particles times steps, settling and all trials [-]
+  double particle_steps = 0; ///< particles times steps: settling, all trials, run-out [-]
+};
+
+/// Soil that failed and flowed.
+struct RunOut
+{
+  double factor = 0;      ///< on strength
+  bool from_trial = true; ///< went on from the failing trial; else from the settled state
+  sph::RunOut motion;
+  sph::FinalShape shape; ///< at the end of the motion
 };
 
 struct StageSeconds
@@ -44,11 +54,21 @@ struct Analysis
   meshes::Section section;
   std::optional<seepage::Solution> seepage;
   std::optional<Stability> stability;
+  std::optional<RunOut> run_out;
   std::vector<StageSeconds> stages;
   bool interrupted = false; ///< the user asked to stop; what is here was computed before
 };
 
+/// Keeps the frames of a run-out, which take too much memory to hand over at the end.
+class RunOutStore : public sph::FrameStore
+{
+public:
+  /// Called before any frame, with what does not change from frame to frame.
+  virtual void open(const sph::Particles& /*particles*/, double /*factor*/) {}
+};
+
 /// @brief The straight path: section, seepage, particles, pore pressure, settling, strength
-/// reduction, mechanism.
-[[nodiscard]] Analysis analyse(const Case& input, Observer& observer);
+/// reduction, mechanism, run-out. A stage that the case does not ask for is not built.
+[[nodiscard]] Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames);
+[[nodiscard]] Analysis analyse(const Case& input, Observer& observer); ///< keeps no frames
 } // namespace berm::coupling

@@ -4,6 +4,7 @@
 #include "core/tensor.h"
 #include "meshes/section.h"
 #include "seepage/seepage.h"
+#include "sph/run_out.h"
 #include "sph/soil.h"
 #include "sph/strength_reduction.h"
 
@@ -48,6 +49,14 @@ struct SphSettings
   int threads = 0;                              ///< 0: as many as OpenMP would take
 };
 
+/// Soil that fails and flows.
+struct RunOutSettings
+{
+  std::optional<double> factor; ///< on strength, from the settled state; absent: go on from the
+                                ///< failing trial
+  sph::RunOutSettings motion;
+};
+
 struct Output
 {
   Polyline probes; ///< where to print head and pore pressure [m]
@@ -67,8 +76,9 @@ struct Case
   std::vector<seepage::Boundary> marked_boundaries; ///< one for each marked line
   seepage::Settings seepage;
   SphSettings sph;
-  bool stability = true; ///< false: only the seepage stage
+  bool stability = true; ///< whether to look for the factor of safety
   sph::SearchSettings search;
+  std::optional<RunOutSettings> run_out; ///< only where asked for
   Output output;
 };
 } // namespace berm::coupling

@@ -104,6 +104,34 @@ PorePressure seepage_pore_pressure(const seepage::Solution& solution, double max
   };
 }
 
+PorePressure pore_pressure_in_space(PorePressure inside, const meshes::Section& section)
+{
+  const auto crest = std::max_element(section.ground.begin(), section.ground.end(),
+                                      [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  return [inside = std::move(inside), section, x_crest = crest->x()](std::span<const double> x,
+                                                                     std::span<const double> y)
+  {
+    std::vector<double> p_w(x.size()), x_in, y_in;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      const auto& level = x[i] < x_crest ? section.left_pool_level : section.right_pool_level;
+      if (meshes::contains(section, {x[i], y[i]}))
+      {
+        which.push_back(i);
+        x_in.push_back(x[i]);
+        y_in.push_back(y[i]);
+      }
+      else if (level)
+        p_w[i] = water_unit_weight * std::max(*level - y[i], 0.0);
+    }
+    const std::vector<double> in_soil = inside(x_in, y_in);
+    for (std::size_t k = 0; k < which.size(); ++k)
+      p_w[which[k]] = in_soil[k];
+    return p_w;
+  };
+}
+
 Polyline straight_free_surface(const meshes::Section& section)
 {
   if (!section.left_pool_level && !section.right_pool_level)

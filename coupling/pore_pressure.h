@@ -32,6 +32,12 @@ using PorePressure =
 [[nodiscard]] PorePressure seepage_pore_pressure(const seepage::Solution& solution,
                                                  double max_shift);
 
+/// @brief The field fixed in space, for soil that moves: `inside` within the section as drawn;
+/// around it the pools, hydrostatic below their level on their side of the section's highest
+/// ground, and air.
+[[nodiscard]] PorePressure pore_pressure_in_space(PorePressure inside,
+                                                  const meshes::Section& section);
+
 /// @brief The straight line that the paper draws: pool level up to the waterline, then straight to
 /// the other pool's waterline or, without one, to the toe of the ground on that side. Empty if
 /// there is no pool.

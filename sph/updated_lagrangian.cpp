@@ -50,7 +50,7 @@ MovingBody moving_body(const Particles& particles, std::span<const Soil> soils,
 }
 
 UpdatedLagrangian::UpdatedLagrangian(const MovingBody& body, std::vector<Cone> cones,
-                                     const State& start)
+                                     const State& start, double time_step)
     : body_(body), set_(body.settings), cones_(std::move(cones)),
       n_(static_cast<Index>(body.particles.size())), h_(smoothing_ratio * body.particles.spacing),
       skin_(skin_ratio * h_), table_(h_, body.particles.spacing), self_(body.particles.size()),
@@ -84,7 +84,8 @@ UpdatedLagrangian::UpdatedLagrangian(const MovingBody& body, std::vector<Cone> c
     const Vec2 edge = body.walls.base[k] - body.walls.base[k - 1];
     stretch_ = std::max(stretch_, 1 + 2 * std::abs(edge.y() / edge.x()));
   }
-  dt_ = dt_before_ = set_.courant_number * h_ / (c_most * (1 + 1.2 * set_.alpha));
+  dt_ = dt_before_ =
+      time_step > 0 ? time_step : set_.courant_number * h_ / (c_most * (1 + 1.2 * set_.alpha));
   rebuild();
 }
 
@@ -309,7 +310,32 @@ Energies UpdatedLagrangian::energies() const
     e.viscous += self.viscous;
     e.damping += self.damping;
   }
+  e.shake = shake_work_ + shake_ * (first_moment() - shaken_from_);
   return e;
+}
+
+double UpdatedLagrangian::first_moment() const
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < self_.size(); ++i)
+    sum += point_[i].matter[0] * point_[i].motion[0];
+  return sum;
+}
+
+void UpdatedLagrangian::set_shake(double acceleration)
+{
+  const double moment = first_moment();
+  shake_work_ += shake_ * (moment - shaken_from_);
+  shaken_from_ = moment;
+  shake_ = acceleration;
+}
+
+std::vector<double> UpdatedLagrangian::pore_pressure() const
+{
+  std::vector<double> p_w(self_.size());
+  for (const Self& self : self_)
+    p_w[static_cast<std::size_t>(self.original)] = self.p_w;
+  return p_w;
 }
 
 Vec2 UpdatedLagrangian::momentum() const

@@ -62,6 +62,7 @@ struct Energies
   double potential = 0; ///< of gravity, from y = 0
   double elastic = 0;
   double water = 0;   ///< work done on the soil by the pore pressure
+  double shake = 0;   ///< work done on the soil by shaking its ground
   double plastic = 0; ///< dissipated, like the rest
   double viscous = 0;
   double damping = 0; ///< local damping and hard contact with walls
@@ -69,7 +70,7 @@ struct Energies
   /// Constant but for the error of the discretisation.
   [[nodiscard]] double total() const
   {
-    return kinetic + potential + elastic - water + plastic + viscous + damping;
+    return kinetic + potential + elastic - water - shake + plastic + viscous + damping;
   }
 };
 
@@ -83,7 +84,9 @@ public:
   /// @param[in] body   Must outlive the solver.
   /// @param[in] cones  One for each soil; empty: linear elastic.
   /// @param[in] start  Without positions: particles at their reference positions.
-  UpdatedLagrangian(const MovingBody& body, std::vector<Cone> cones, const State& start);
+  /// @param[in] time_step  Of the step that led to the start [s]; 0: none did.
+  UpdatedLagrangian(const MovingBody& body, std::vector<Cone> cones, const State& start,
+                    double time_step = 0);
 
   /// Cost O(steps n); allocates only when the list is made again.
   void advance(long steps) override;
@@ -104,6 +107,10 @@ public:
   [[nodiscard]] long rebuilds() const { return rebuilds_; }
   [[nodiscard]] double rebuild_seconds() const { return rebuild_seconds_; }
 
+  [[nodiscard]] std::vector<double> pore_pressure() const; ///< as last read [Pa], shape (n)
+
+  /// From now on, accelerate all soil horizontally [m/s2], as seen from shaking ground.
+  void set_shake(double acceleration);
   /// Prescribe velocities [m/s], shape (n).
   void set_velocity(std::span<const double> vx, std::span<const double> vy);
 
@@ -138,7 +145,8 @@ private:
   void rebuild();
   void sort_particles();
   void make_ghosts(double reach);
-  void update_push(); ///< acceleration by pore pressure
+  void update_push();                        ///< acceleration by pore pressure
+  [[nodiscard]] double first_moment() const; ///< sum of mass times x [kg per m run times m]
   template <bool corrected>
   double update_stress(Index i); ///< returns the particle's rate for eq. (9.9) [m/s]
   template <bool with_repulsion>
@@ -152,6 +160,7 @@ private:
   std::vector<Cone> cones_;
   Index n_;
   double h_, skin_, dt_ = 0, dt_before_ = 0, time_ = 0, moved2_ = 0;
+  double shake_ = 0, shake_work_ = 0, shaken_from_ = 0; ///< [m/s2], [J], first moment when set
   double stretch_ = 1; ///< a ghost moves at most this much faster than its source [-]
   long steps_ = 0, rebuilds_ = 0;
   double rebuild_seconds_ = 0;

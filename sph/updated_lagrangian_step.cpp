@@ -230,7 +230,7 @@ double UpdatedLagrangian::update_motion(Index ii)
 
   Self& self = self_[i];
   Point& p = point_[i];
-  double ax = sum(a_x) + r_x + self.viscous_x + self.push_x;
+  double ax = sum(a_x) + r_x + self.viscous_x + self.push_x + shake_;
   double ay = sum(a_y) + r_y + self.viscous_y + self.push_y - set_.gravity;
 
   // Step 2: local damping, eq. (3.8).
