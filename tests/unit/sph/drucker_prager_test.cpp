@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sph/drucker_prager.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace berm::sph
@@ -14,26 +16,55 @@ struct Angles
   double phi, psi; // degrees
 };
 
-/// Strain a material point in plane strain along its flow rule until the stress stays; return it.
-SymTensor collapse_stress(double c, double phi, double psi)
+/// A soil, its state before shearing and the direction in which it is sheared.
+struct Shearing
 {
-  const Cone cone = fit_plane_strain(c, phi, psi);
+  double c, phi, psi; ///< Pa, rad
+  SymTensor start;    ///< Pa
+  double direction;   ///< of the largest principal strain rate, from x [rad]
+};
+
+struct Collapse
+{
+  SymTensor sig;
+  double off_cone = 0; ///< largest |f| on the way [Pa]
+};
+
+/// Strain a material point in plane strain along its flow rule until the stress stays.
+Collapse collapse(const Shearing& s)
+{
+  const Cone cone = fit_plane_strain(s.c, s.phi, s.psi);
   const Elastic e = elastic_moduli(1e7, 0.3);
-  SymTensor sig{-50e3, -50e3, -50e3, 0};
   // Plane-strain flow: volume strain = shear strain times sin(psi).
-  const double step = 1e-6, exx = step * (1 + std::sin(psi)), eyy = -step * (1 - std::sin(psi));
-  for (int k = 0; k < 400000; ++k)
+  const double size = s.c - I1(s.start) / 3, step = 0.1 * size / e.G / 1000;
+  const double volume = 2 * step * std::sin(s.psi), rate = (e.K - 2 * e.G / 3) * volume;
+  const double exx = step * std::cos(2 * s.direction), exy = step * std::sin(2 * s.direction);
+  const SymTensor strained{rate + e.G * (volume + 2 * exx), rate + e.G * (volume - 2 * exx), rate,
+                           2 * e.G * exy};
+  Collapse result{.sig = return_to_cone(s.start, cone, e).sig};
+  bool steady = false;
+  for (int k = 0; k < 400000 && !steady; ++k)
   {
-    const double rate = (e.K - 2 * e.G / 3) * (exx + eyy);
-    const SymTensor trial = {sig.xx + rate + 2 * e.G * exx, sig.yy + rate + 2 * e.G * eyy,
-                             sig.zz + rate, sig.xy};
-    const SymTensor next = return_to_cone(trial, cone, e).sig;
-    const bool steady = k > 1000 && std::abs(next.yy - sig.yy) < 1e-9 * std::abs(sig.yy);
-    sig = next;
-    if (steady)
-      break;
+    const Returned next = return_to_cone(result.sig + strained, cone, e);
+    const SymTensor change = next.sig + (-1.) * result.sig;
+    steady = next.plastic_strain > 0 && std::sqrt(J2(change)) + std::abs(I1(change)) < 1e-10 * size;
+    result.sig = next.sig;
+    if (next.plastic_strain > 0)
+      result.off_cone = std::max(
+          result.off_cone, std::abs(std::sqrt(J2(next.sig)) + cone.alpha * I1(next.sig) - cone.k));
   }
-  return sig;
+  EXPECT_TRUE(steady);
+  return result;
+}
+
+/// Radius and centre of Mohr's circle in the plane.
+double radius(const SymTensor& sig)
+{
+  return std::hypot(0.5 * (sig.xx - sig.yy), sig.xy);
+}
+double centre(const SymTensor& sig)
+{
+  return 0.5 * (sig.xx + sig.yy);
 }
 } // namespace
 
@@ -41,13 +72,28 @@ class ConeFit : public testing::TestWithParam<Angles>
 {
 };
 
-TEST_P(ConeFit, CollapsesAtMohrCoulombInPlaneStrain)
+/// Isotropic and K0 states from 10 kPa to 1 MPa, sheared in five directions: compression along y
+/// and along x, simple shear and in between.
+TEST_P(ConeFit, CollapsesAtMohrCoulombInPlaneStrainFromAnyStateInAnyDirection)
 {
   const double c = 10e3, phi = GetParam().phi * degree, psi = GetParam().psi * degree;
-  const SymTensor sig = collapse_stress(c, phi, psi);
-  const double radius = 0.5 * std::abs(sig.xx - sig.yy), centre = 0.5 * (sig.xx + sig.yy);
-  const double mohr_coulomb = c * std::cos(phi) - centre * std::sin(phi);
-  EXPECT_NEAR(radius / mohr_coulomb, 1, 1e-4); // what is left of the elastic transient
+  const double a = associated_constant(psi);
+  for (const double p : {10e3, 50e3, 200e3, 1e6})
+    for (const double K0 : {1., 0.5})
+      for (const double direction : {0., 22.5, 45., 70., 90.})
+      {
+        const SymTensor start{-K0 * p, -p, -K0 * p, 0};
+        const auto [sig, off_cone] = collapse({c, phi, psi, start, direction * degree});
+        const double mohr_coulomb = c * std::cos(phi) - centre(sig) * std::sin(phi);
+        // What is left of the elastic transient.
+        EXPECT_NEAR(radius(sig) / mohr_coulomb, 1, 1e-4) << p << " " << K0 << " " << direction;
+        // The Lode angle of collapse, eq. (4.3), and no flow along z.
+        const double s_zz = sig.zz - I1(sig) / 3;
+        EXPECT_NEAR(s_zz / (2 * std::sqrt(J2(sig))), -a, 1e-4);
+        // Coaxial: stress turns into the direction of the strain rate.
+        EXPECT_NEAR(std::atan2(sig.xy, 0.5 * (sig.xx - sig.yy)) / 2, direction * degree, 1e-3);
+        EXPECT_LT(off_cone, 1e-9 * (c + p)); // rounding, all the way
+      }
 }
 
 INSTANTIATE_TEST_SUITE_P(FlowRules, ConeFit,
