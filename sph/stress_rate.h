@@ -4,6 +4,8 @@
 #include "core/tensor.h"
 #include "sph/drucker_prager.h"
 
+#include <algorithm>
+
 namespace berm::sph
 {
 /// Gradient of the velocity [1/s]: xy = d v_x / d y.
@@ -11,6 +13,19 @@ struct VelocityGradient
 {
   double xx = 0, xy = 0, yx = 0, yy = 0;
 };
+
+/// @brief Gradient in the middle of a step from that at its end, L (I - L dt / 2)^-1: eq. (9.11).
+/// The velocity belongs to the middle of the step, the positions to its end. Taken as it is, L
+/// would see an expansion of w dt / 2 in every turn by w dt: soil would shrink as it turns.
+[[nodiscard]] inline VelocityGradient at_middle(const VelocityGradient& L, double dt)
+{
+  constexpr double least = 0.25; // of the determinant: no step of soil doubles its lengths
+  const double xx = 1 - 0.5 * dt * L.xx, xy = -0.5 * dt * L.xy;
+  const double yx = -0.5 * dt * L.yx, yy = 1 - 0.5 * dt * L.yy;
+  const double scale = 1 / std::max(xx * yy - xy * yx, least);
+  return {scale * (L.xx * yy - L.xy * yx), scale * (L.xy * xx - L.xx * xy),
+          scale * (L.yx * yy - L.yy * yx), scale * (L.yy * xx - L.yx * xy)};
+}
 
 /// @brief Stress turned by the spin over dt: docs/theory.md eq. (9.3).
 /// The angle's Cayley form is used, so that a rigid rotation leaves the invariants as they are to

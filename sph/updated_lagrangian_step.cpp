@@ -134,6 +134,7 @@ double UpdatedLagrangian::update_stress(Index ii)
     L = {L.xx * B.xx + L.xy * B.xy, L.xx * B.xy + L.xy * B.yy, L.yx * B.xx + L.yy * B.xy,
          L.yx * B.xy + L.yy * B.yy};
   }
+  L = at_middle(L, dt_before_);
   self.viscous_x = sum(f_x);
   self.viscous_y = sum(f_y);
   self.density = matter[1] * (1 - dt_before_ * (L.xx + L.yy));

@@ -8,6 +8,7 @@
 #include "tests/support/sections.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -89,15 +90,19 @@ TEST(UpdatedLagrangian, UniformVelocityGradientGivesTheExactStressRateWithCorrec
   const double dt = soil.time_step();
   soil.advance(1);
   const State after = soil.state();
+  // In the middle of the step: eq. (9.11).
+  Eigen::Matrix2d L;
+  L << 1e-3, 4e-3, -2e-3, 3e-3;
+  L = L * (Eigen::Matrix2d::Identity() - 0.5 * dt * L).inverse();
   const Elastic& e = body.elastic[0];
-  const double volume = (e.K - 2 * e.G / 3) * 4e-3;
+  const double volume = (e.K - 2 * e.G / 3) * L.trace();
   for (std::size_t i = 0; i < after.stress.size(); ++i)
   {
     const SymTensor& s = after.stress[i]; // edges and corners included; rounding only
-    EXPECT_NEAR(s.xx / dt, volume + 2 * e.G * 1e-3, 1e-12 * e.K);
-    EXPECT_NEAR(s.yy / dt, volume + 2 * e.G * 3e-3, 1e-12 * e.K);
-    EXPECT_NEAR(s.xy / dt, e.G * 2e-3, 1e-12 * e.K);
-    EXPECT_NEAR(after.density[i], tests::embankment_soil().density * (1 - 4e-3 * dt), 1e-9);
+    EXPECT_NEAR(s.xx / dt, volume + 2 * e.G * L(0, 0), 1e-12 * e.K);
+    EXPECT_NEAR(s.yy / dt, volume + 2 * e.G * L(1, 1), 1e-12 * e.K);
+    EXPECT_NEAR(s.xy / dt, e.G * (L(0, 1) + L(1, 0)), 1e-12 * e.K);
+    EXPECT_NEAR(after.density[i], tests::embankment_soil().density * (1 - L.trace() * dt), 1e-9);
   }
 }
 
@@ -120,8 +125,10 @@ TEST(UpdatedLagrangian, RigidRotationTurnsTheComponentsAndKeepsTheInvariants)
     std::vector<double> vx, vy;
     for (std::size_t i = 0; i < now.x.size(); ++i)
     {
-      vx.push_back(-spin * (now.y[i] - 0.5));
-      vy.push_back(spin * (now.x[i] - 1));
+      // (I - R^-1)/dt of the step that ends here, R the rotation in it
+      const double c = 2 * std::pow(std::sin(spin * dt / 2), 2) / dt, s = std::sin(spin * dt) / dt;
+      vx.push_back(c * (now.x[i] - 1) - s * (now.y[i] - 0.5));
+      vy.push_back(s * (now.x[i] - 1) + c * (now.y[i] - 0.5));
     }
     soil.set_velocity(vx, vy);
     soil.advance(1);
