@@ -238,21 +238,21 @@ TEST(Patch, AConstantStrainRateIsExactOnDisorderedPointsUpToBaseAndSurface)
     State start = r.rest();
     for (std::size_t i = 0; i < r.particles.size(); ++i)
     {
-      start.vx[i] = 4e-6 * r.particles.y[i];
-      start.vy[i] = -3e-6 * r.particles.y[i];
+      start.vx[i] = 4e-9 * r.particles.y[i];
+      start.vy[i] = -3e-9 * r.particles.y[i];
     }
     const auto [end, dt] = r.step(start);
-    const double volume = (e.K - 2 * e.G / 3) * -3e-6;
+    const double volume = (e.K - 2 * e.G / 3) * -3e-9;
     double most = 0;
     for (std::size_t i = 0; i < r.particles.size(); ++i)
     {
       const SymTensor& s = end.stress[i];
       if (std::min(r.particles.x[i], 1 - r.particles.x[i]) > 0.12) // shear does not suit rollers
         most =
-            std::max({most, std::abs(s.xx / dt - volume), std::abs(s.yy / dt - volume + 6e-6 * e.G),
-                      std::abs(s.xy / dt - 4e-6 * e.G)});
+            std::max({most, std::abs(s.xx / dt - volume), std::abs(s.yy / dt - volume + 6e-9 * e.G),
+                      std::abs(s.xy / dt - 4e-9 * e.G)});
     }
-    EXPECT_LT(most, 1e-12 * 4e-6 * e.M()); // rounding
+    EXPECT_LT(most, 1e-12 * 4e-9 * e.M()); // rounding
   }
 }
 
