@@ -373,7 +373,10 @@ CheckedValues check_values(const TomlValue& document, KeyPlaces& places,
                            std::vector<Mistake>& mistakes)
 {
   Checker checker(places, mistakes);
-  checker.check_table(*document.table(), "", "");
+  const TomlValue::Table& top = *document.table();
+  checker.check_table(top, "", "");
+  checker.values.run_out = std::any_of(top.begin(), top.end(),
+                                       [](const auto& entry) { return entry.first == "runout"; });
   return std::move(checker.values);
 }
 } // namespace berm::app

@@ -37,6 +37,7 @@ public:
   std::vector<std::string> soils; ///< names, in the file's order
   std::size_t zones = 0;          ///< number of [[section.zone]]
   std::size_t boundaries = 0;     ///< number of [[seepage.boundary]]
+  bool run_out = false;           ///< there is a [runout], be it empty
 
 private:
   std::map<std::string, Value> values_;

@@ -263,13 +263,46 @@ private:
     }
     case_.search.tolerance = number("stability.tolerance", case_.search.tolerance);
     case_.stability = values_.get<bool>("stability.enabled").value_or(true) && !seepage_only_;
-    if (!case_.stability && case_.water.pore_pressure != PorePressureKind::seepage)
+    if (!case_.stability && !values_.run_out &&
+        case_.water.pore_pressure != PorePressureKind::seepage)
       add({.key = "stability.enabled",
            .value = "false",
            .problem = "nothing is left to compute",
            .hint = "without a seepage solve, the factor of safety is all there is"});
+    assemble_run_out();
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+  }
+
+  void assemble_run_out()
+  {
+    if (!values_.run_out || seepage_only_)
+      return;
+    auto& run_out = case_.run_out.emplace();
+    run_out.factor = values_.get<double>("runout.factor");
+    run_out.motion = {.longest = number("runout.duration_s", 0),
+                      .frame_interval = number("runout.frame_interval_s", 0),
+                      .shake = number("runout.shake_g", 0) * gravity,
+                      .shake_duration = number("runout.shake_duration_s", 0)};
+    const auto& motion = run_out.motion;
+    if (!case_.stability && !given("runout.factor"))
+      add({.key = "runout.factor",
+           .problem = std::string(missing_key),
+           .hint = "with stability.enabled = false there is no failing trial to go on from"});
+    if (motion.longest > 0 && motion.frame_interval > motion.longest)
+      add({.key = "runout.frame_interval_s",
+           .value = fmt::format("{}", motion.frame_interval),
+           .allowed = fmt::format("frame_interval_s <= duration_s = {}", motion.longest)});
+    if (motion.longest > 0 && motion.longest > 1e5 * motion.frame_interval &&
+        motion.frame_interval > 0)
+      add({.key = "runout.frame_interval_s",
+           .value = fmt::format("{}", motion.frame_interval),
+           .problem = "more than 100000 frames"});
+    if ((motion.shake != 0) != (motion.shake_duration > 0))
+      add({.key = motion.shake != 0 ? "runout.shake_duration_s" : "runout.shake_g",
+           .value = "0",
+           .problem = "a shake needs an acceleration and a duration",
+           .hint = "give both runout.shake_g and runout.shake_duration_s, or neither"});
   }
 
   /// Nothing that the section is built from is wrong by itself.

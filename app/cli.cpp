@@ -5,7 +5,9 @@
 #include "app/case_schema.h"
 #include "app/console.h"
 #include "app/figures.h"
+#include "app/frame_files.h"
 #include "app/report.h"
+#include "app/result_json.h"
 #include "app/run_writer.h"
 #include "app/version.h"
 
@@ -28,7 +30,8 @@ struct RunOptions
   ReadOptions read;
   std::string out; ///< empty: default_directory
   bool quiet = false;
-  int threads = 0; ///< 0: what the case says
+  bool resume = false; ///< go on with a run-out
+  int threads = 0;     ///< 0: what the case says
 };
 
 int run_case(const RunOptions& options, KeyPlaces& places)
@@ -42,8 +45,9 @@ int run_case(const RunOptions& options, KeyPlaces& places)
 
   places.run_began = true;
   catch_stop_signals();
+  FrameFiles frames(directory, options.resume);
   Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet);
-  const coupling::Analysis analysis = coupling::analyse(input, console);
+  const coupling::Analysis analysis = coupling::analyse(input, console, frames);
 
   write_run(directory, input, analysis);
   if (input.output.figures && !analysis.interrupted)
@@ -55,8 +59,7 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   if (!options.quiet)
     std::cout << report(input, analysis, console.warnings()) << "\nResults in "
               << directory.string() << "\n";
-  const bool found = !analysis.stability || analysis.stability->factor_of_safety.complete;
-  return found && !analysis.interrupted ? exit_ok : exit_no_answer;
+  return complete(input, analysis) ? exit_ok : exit_no_answer;
 }
 
 int check_case(const RunOptions& options, KeyPlaces& places)
@@ -106,6 +109,8 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   RunOptions options;
   CLI::App* run = app.add_subcommand("run", "Run all stages that a case asks for");
   add_run_options(*run, options);
+  run->add_flag("--resume", options.resume,
+                "Go on with a run-out that was stopped, from its last frame in the directory");
   CLI::App* seepage = app.add_subcommand("seepage", "Run the seepage stage of a case alone");
   add_run_options(*seepage, options);
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/field_files.h"
 
-#include "app/hdf5_file.h"
+#include "app/field_group.h"
 #include "app/version.h"
 #include "core/error.h"
 
@@ -18,81 +18,6 @@ namespace berm::app
 {
 namespace
 {
-using Label = Hdf5File::Label;
-
-/// Refuse NaN and infinity, telling which value of which field, and where.
-/// @param[in] place  Position of a row [m].
-void require_finite(const std::string& field, std::span<const double> values, std::size_t columns,
-                    const std::function<Vec2(std::size_t)>& place)
-{
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-    {
-      const Vec2 at = place(i / columns);
-      throw NumericalError(fmt::format("{}[{}] = {} at ({:.6g}, {:.6g}) m: results are not written",
-                                       field, i / columns, values[i], at.x(), at.y()));
-    }
-}
-
-/// Writes fields that live on one set of places: particles, nodes or triangles.
-class FieldGroup
-{
-public:
-  FieldGroup(Hdf5File& file, std::function<Vec2(std::size_t)> place)
-      : file_(file), place_(std::move(place))
-  {
-  }
-  void scalar(const std::string& path, std::span<const double> values, const Label& label)
-  {
-    require_finite(path, values, 1, place_);
-    file_.write(path, values, 1, label);
-  }
-  /// In the plane, with a zero for z: ParaView's vectors have three components.
-  void vector(const std::string& path, std::span<const double> x, std::span<const double> y,
-              const Label& label)
-  {
-    std::vector<double> rows;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      rows.insert(rows.end(), {x[i], y[i], 0});
-    require_finite(path, rows, 3, place_);
-    file_.write(path, rows, 3, label);
-  }
-
-private:
-  Hdf5File& file_;
-  std::function<Vec2(std::size_t)> place_;
-};
-
-std::vector<double> flat(const Polyline& points)
-{
-  std::vector<double> rows;
-  for (const Vec2& p : points)
-    rows.insert(rows.end(), {p.x(), p.y()});
-  return rows;
-}
-
-std::vector<double> component(const std::vector<SymTensor>& tensors, double SymTensor::*which)
-{
-  std::vector<double> values;
-  for (const SymTensor& t : tensors)
-    values.push_back(t.*which);
-  return values;
-}
-
-void write_state(FieldGroup& fields, const std::string& group, const sph::State& state)
-{
-  constexpr const char* sign = "effective stress, tension positive";
-  fields.vector(group + "displacement", state.ux, state.uy,
-                {"m", "displacement since the settled state (x, y, 0)"});
-  fields.vector(group + "velocity", state.vx, state.vy, {"m/s", "velocity (x, y, 0)"});
-  fields.scalar(group + "plastic_strain", state.plastic_strain,
-                {"-", "accumulated equivalent deviatoric plastic strain"});
-  for (const auto& [name, which] :
-       {std::pair{"stress_xx", &SymTensor::xx}, std::pair{"stress_yy", &SymTensor::yy},
-        std::pair{"stress_zz", &SymTensor::zz}, std::pair{"stress_xy", &SymTensor::xy}})
-    fields.scalar(group + name, component(state.stress, which), {"Pa", sign});
-}
-
 /// The states that a run kept, in the order of the time series.
 struct NamedState
 {
@@ -178,29 +103,6 @@ void write_mesh(Hdf5File& file, const seepage::Solution& solution)
   cells.vector("/mesh/flux", qx, qy, {"m/s", "Darcy flux (x, y, 0)"});
 }
 
-std::string data_item(const std::string& h5, const std::string& path, std::size_t rows,
-                      std::size_t columns, bool whole = false)
-{
-  return fmt::format(
-      "<DataItem Format=\"HDF\" NumberType=\"{}\" Precision=\"{}\" Dimensions=\"{}{}\">"
-      "{}:{}</DataItem>",
-      whole ? "Int" : "Float", whole ? 4 : 8, rows, columns == 1 ? "" : fmt::format(" {}", columns),
-      h5, path);
-}
-
-std::string attribute(const std::string& name, const char* centre, const std::string& item,
-                      bool is_vector)
-{
-  return fmt::format(
-      "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">\n          {}\n"
-      "        </Attribute>\n",
-      name, is_vector ? "Vector" : "Scalar", centre, item);
-}
-
-constexpr std::string_view xdmf_head = "<?xml version=\"1.0\"?>\n"
-                                       "<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
-                                       "<Xdmf Version=\"3.0\">\n  <Domain>\n";
-constexpr std::string_view xdmf_tail = "  </Domain>\n</Xdmf>\n";
 } // namespace
 
 void write_fields(const std::string& path, const coupling::Case& input,
@@ -243,12 +145,7 @@ std::string particles_xdmf(const coupling::Stability& stability, const std::stri
     text +=
         fmt::format("      <Grid Name=\"{}\" GridType=\"Uniform\">\n        <Time Value=\"{}\"/>\n",
                     s.name, time++);
-    text +=
-        fmt::format("        <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" "
-                    "NumberOfElements=\"{}\">\n"
-                    "          {}\n        </Topology>\n"
-                    "        <Geometry GeometryType=\"XY\">\n          {}\n        </Geometry>\n",
-                    n, item("index", 1, true), item("position", 2));
+    text += point_cloud(n, item("index", 1, true), item("position", 2));
     text += attribute("soil", "Node", item("soil", 1, true), false);
     text += attribute("pore_pressure", "Node", item("pore_pressure", 1), false);
     for (const char* name : {"displacement", "velocity"})

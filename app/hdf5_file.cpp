@@ -126,4 +126,44 @@ void Hdf5File::fail(const std::string& what) const
 {
   throw IoError(path_ + ": " + what);
 }
+
+Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path)
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file_ < 0)
+    fail("cannot be read as HDF5");
+}
+
+Hdf5Reader::~Hdf5Reader()
+{
+  if (file_ >= 0)
+    H5Fclose(file_);
+}
+
+std::vector<double> Hdf5Reader::values(const std::string& path) const
+{
+  const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(set.ok() ? H5Dget_space(set.id()) : -1, H5Sclose);
+  const hssize_t count = space.ok() ? H5Sget_simple_extent_npoints(space.id()) : -1;
+  std::vector<double> values(count > 0 ? static_cast<std::size_t>(count) : 0);
+  if (count < 0 || (count > 0 && H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                         values.data()) < 0))
+    fail("data set " + path + " cannot be read");
+  return values;
+}
+
+double Hdf5Reader::attribute(const char* name) const
+{
+  double value = 0;
+  const Handle attribute(H5Aopen(file_, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.ok() || H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+    fail(std::string("attribute ") + name + " cannot be read");
+  return value;
+}
+
+void Hdf5Reader::fail(const std::string& what) const
+{
+  throw IoError(path_ + ": " + what);
+}
 } // namespace berm::app

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace berm::app
 {
@@ -42,6 +43,27 @@ private:
   void write_any(const std::string& path, const void* values, std::size_t count,
                  std::size_t columns, std::int64_t stored, std::int64_t in_memory,
                  const Label& label);
+  [[noreturn]] void fail(const std::string& what) const;
+
+  std::string path_;
+  std::int64_t file_ = -1; ///< hid_t
+};
+
+/// An HDF5 file to read.
+class Hdf5Reader
+{
+public:
+  /// @throws IoError if there is no such file, or if it is not HDF5.
+  explicit Hdf5Reader(const std::string& path);
+  Hdf5Reader(const Hdf5Reader&) = delete;
+  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+  ~Hdf5Reader();
+
+  /// All values of a data set, row by row.
+  [[nodiscard]] std::vector<double> values(const std::string& path) const;
+  [[nodiscard]] double attribute(const char* name) const; ///< of the file itself
+
+private:
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string path_;

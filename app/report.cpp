@@ -145,12 +145,10 @@ void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& 
                            circle->x_left, circle->x_right));
 }
 
-void add_stability(Page& page, const coupling::Stability& s, bool seepage_only)
+void add_stability(Page& page, const coupling::Stability& s, bool searched)
 {
-  if (seepage_only)
-    return;
   page.heading("Stability");
-  page.row("factor of safety", factor_text(s.factor_of_safety));
+  page.row("factor of safety", searched ? factor_text(s.factor_of_safety) : "not asked for");
   if (s.factor_of_safety.fails)
     add_mechanism(page, s.mechanism);
   add_critical_circle(page, s.critical_circle);
@@ -164,6 +162,33 @@ void add_stability(Page& page, const coupling::Stability& s, bool seepage_only)
     page.line("  {:>8.4f}  {:<9}  {:>8.2f}  {:>7}  {:>14.4g}  {}", t.factor,
               t.interrupted ? "stopped" : sph::to_string(t.outcome), t.time, t.steps,
               t.max_displacement, t.reason);
+}
+
+void add_run_out(Page& page, const coupling::RunOut& r)
+{
+  const sph::FinalShape& shape = r.shape;
+  page.heading("Run-out");
+  page.row("start",
+           fmt::format("{}, strength / {:.4g}",
+                       r.from_trial ? "the failing trial" : "the settled state", r.factor));
+  page.row("end", r.motion.at_rest
+                      ? fmt::format("at rest since {:.4g} s", r.motion.time_to_rest)
+                      : fmt::format("STILL MOVING after {:.4g} s: what follows is not the end",
+                                    r.motion.time));
+  if (shape.run_out)
+    page.row("run-out", fmt::format("{:.2f} m beyond the toe {}, to {} on the {}", *shape.run_out,
+                                    point_text(*shape.toe), point_text(*shape.tip), shape.side));
+  else
+    page.row("run-out", "none: the surface rises nowhere by 1 % of the height");
+  page.row("crest", fmt::format("lower by {:.2f} m", shape.crest_settlement));
+  page.row("moved", fmt::format("{:.4g} m3 per m, by {:.2f} m at most", shape.moved_volume,
+                                shape.max_displacement));
+  const sph::Energies &first = r.motion.history.front().energies,
+                      &last = r.motion.history.back().energies;
+  page.row("energy", fmt::format("{:.3g} kJ per m dissipated; the balance is off by {:.2g} kJ",
+                                 (last.plastic + last.viscous + last.damping) / 1e3,
+                                 (last.total() - first.total()) / 1e3));
+  page.row("frames", fmt::format("{}; {} steps", r.motion.history.size(), r.motion.steps));
 }
 
 void add_times(Page& page, const coupling::Analysis& analysis)
@@ -229,7 +254,9 @@ std::string report(const coupling::Case& input, const coupling::Analysis& analys
   if (analysis.seepage)
     add_seepage(page, input, analysis);
   if (analysis.stability)
-    add_stability(page, *analysis.stability, !input.stability);
+    add_stability(page, *analysis.stability, input.stability);
+  if (analysis.run_out)
+    add_run_out(page, *analysis.run_out);
   add_times(page, analysis);
   if (!warnings.empty())
     page.heading("Warnings");
@@ -262,6 +289,8 @@ std::string summary(const coupling::Case& input, const meshes::Section& section)
       input.water.pore_pressure == coupling::PorePressureKind::seepage ? "seepage" : "";
   if (input.stability)
     stages += stages.empty() ? "stability" : ", stability";
+  if (input.run_out)
+    stages += stages.empty() ? "run-out" : ", run-out";
   page.row("stages", stages);
   return page.text_;
 }

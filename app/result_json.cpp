@@ -157,6 +157,53 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
           {"seconds", seconds({wall, cpu})}};
 }
 
+Json energies_json(const std::vector<sph::Moment>& history)
+{
+  Json list = Json::array();
+  for (const sph::Moment& m : history)
+  {
+    const sph::Energies& e = m.energies;
+    list.push_back({{"time_s", m.time},
+                    {"max_displacement_m", m.max_displacement},
+                    {"kinetic_J_m", e.kinetic},
+                    {"potential_J_m", e.potential},
+                    {"elastic_J_m", e.elastic},
+                    {"water_work_J_m", e.water},
+                    {"shake_work_J_m", e.shake},
+                    {"plastic_J_m", e.plastic},
+                    {"viscous_J_m", e.viscous},
+                    {"damping_J_m", e.damping},
+                    {"error_J_m", e.total() - history.front().energies.total()}});
+  }
+  return list;
+}
+
+Json run_out_json(const coupling::RunOut& run_out, double spacing)
+{
+  const sph::RunOut& motion = run_out.motion;
+  const sph::FinalShape& shape = run_out.shape;
+  const auto or_null_point = [](const std::optional<Vec2>& p)
+  { return p ? point(*p) : Json(nullptr); };
+  return {{"factor", run_out.factor},
+          {"from", run_out.from_trial ? "failing trial" : "settled state"},
+          {"at_rest", motion.at_rest},
+          {"time_to_rest_s", motion.at_rest ? Json(motion.time_to_rest) : Json(nullptr)},
+          {"time_s", motion.time},
+          {"steps", motion.steps},
+          {"side", shape.side.empty() ? Json(nullptr) : Json(shape.side)},
+          {"run_out_m", or_null(shape.run_out)},
+          {"toe_m", or_null_point(shape.toe)},
+          {"tip_m", or_null_point(shape.tip)},
+          {"crest_settlement_m", shape.crest_settlement},
+          {"moved_volume_m2", shape.moved_volume},
+          {"max_displacement_m", shape.max_displacement},
+          {"closest_pair_over_spacing", motion.closest_pair / spacing},
+          {"surface_m", points(shape.surface)},
+          {"frames", motion.history.size()},
+          {"history", energies_json(motion.history)},
+          {"seconds", seconds(motion.seconds)}};
+}
+
 Json performance_json(const coupling::Analysis& analysis)
 {
   Json stages = Json::array();
@@ -210,27 +257,37 @@ std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& an
 {
   double cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)
-    if (stage.stage == "settling" || stage.stage == "strength reduction")
+    if (stage.stage == "settling" || stage.stage == "strength reduction" ||
+        stage.stage == "run-out")
       cpu += stage.seconds.cpu;
   if (!analysis.stability || analysis.stability->particle_steps <= 0 || cpu <= 0)
     return std::nullopt;
   return analysis.stability->particle_steps / cpu;
 }
 
+bool complete(const coupling::Case& input, const coupling::Analysis& analysis)
+{
+  const bool factor_found =
+      !input.stability || (analysis.stability && analysis.stability->factor_of_safety.complete);
+  const bool at_rest = !input.run_out || (analysis.run_out && analysis.run_out->motion.at_rest);
+  return factor_found && at_rest && !analysis.interrupted;
+}
+
 Json result_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
-  const bool found = !analysis.stability || analysis.stability->factor_of_safety.complete;
   Json json = {{"berm", version()},
                {"format", 1},
                {"title", input.title},
                {"case", {{"path", input.path}, {"overrides", input.overrides}}},
-               {"complete", found && !analysis.interrupted},
+               {"complete", complete(input, analysis)},
                {"interrupted", analysis.interrupted},
                {"section", section_json(analysis.section)}};
   if (analysis.seepage)
     json["seepage"] = seepage_json(input, analysis);
   if (analysis.stability)
     json["stability"] = stability_json(input, analysis);
+  if (analysis.run_out)
+    json["runout"] = run_out_json(*analysis.run_out, analysis.stability->particles.spacing);
   json["performance"] = performance_json(analysis);
   require_finite(json);
   return json;

@@ -34,6 +34,10 @@ struct Probe
 [[nodiscard]] std::optional<double>
 particle_steps_per_cpu_second(const coupling::Analysis& analysis);
 
+/// @brief Whether every stage that was asked for came to its answer: a bracket as narrow as asked,
+/// soil at rest.
+[[nodiscard]] bool complete(const coupling::Case& input, const coupling::Analysis& analysis);
+
 /// @brief The contract for scripts: docs/output_format.md. Times are under "seconds" and in
 /// "performance" only; all else is the same, bit for bit, when a run is repeated.
 /// @throws NumericalError naming the first value that is not finite.

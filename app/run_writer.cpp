@@ -2,6 +2,7 @@
 #include "app/run_writer.h"
 
 #include "app/field_files.h"
+#include "app/frame_files.h"
 #include "app/result_json.h"
 #include "core/error.h"
 
@@ -14,9 +15,11 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::array our_files = {"case.toml",         "results.h5",  "results_particles.xdmf",
-                                  "results_mesh.xdmf", "seepage.png", "slip.png",
-                                  "trials.png",        "result.json"};
+constexpr std::array our_files = {
+    "case.toml",          "results.h5",           "results_particles.xdmf",
+    "results_mesh.xdmf",  "results_run_out.xdmf", "seepage.png",
+    "slip.png",           "trials.png",           "run_out.png",
+    "run_out_energy.png", "run_out.gif",          "result.json"};
 
 fs::path aside(const fs::path& path)
 {
@@ -79,6 +82,11 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                particles_xdmf(*analysis.stability, "results.h5"));
   if (analysis.seepage)
     write_text(aside(directory / "results_mesh.xdmf"), mesh_xdmf(*analysis.seepage, "results.h5"));
+  if (analysis.run_out)
+    write_text(aside(directory / "results_run_out.xdmf"),
+               run_out_xdmf(*analysis.run_out, analysis.stability->particles.size()));
+  else
+    remove_frames(directory);
   write_text(aside(directory / "result.json"), json_text(result_json(input, analysis)) + "\n");
   for (const char* name : our_files)
   {

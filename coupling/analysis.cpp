@@ -161,7 +161,7 @@ std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
                                : p_w;
   const sph::Frame first =
       sph::first_frame(body, result.from_trial ? failing->state : stability.settled);
-  frames.open(stability.particles, result.factor);
+  frames.open(stability.particles, result.factor, input.run_out->motion);
   result.motion =
       sph::run_out(body, sph::reduced_cones(soils, result.factor, input.sph.cone), first,
                    section.y_max - section.y_min, input.run_out->motion, frames, observer);

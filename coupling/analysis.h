@@ -64,7 +64,10 @@ class RunOutStore : public sph::FrameStore
 {
 public:
   /// Called before any frame, with what does not change from frame to frame.
-  virtual void open(const sph::Particles& /*particles*/, double /*factor*/) {}
+  virtual void open(const sph::Particles& /*particles*/, double /*factor*/,
+                    const sph::RunOutSettings& /*settings*/)
+  {
+  }
 };
 
 /// @brief The straight path: section, seepage, particles, pore pressure, settling, strength
