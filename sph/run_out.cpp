@@ -9,8 +9,7 @@ namespace berm::sph
 {
 namespace
 {
-constexpr double still_speed = 1e-4;    // over sqrt(g H): slower counts as still
-constexpr double still_fraction = 1e-3; // of the mass that may move on: single grains
+constexpr double still_energy = 1e-4;   // of what was dissipated: less counts as still
 constexpr double moved_distance = 0.01; // over H: soil that moved or rose by more counts as moved
 constexpr long steps_between_polls = 100;
 
@@ -31,19 +30,19 @@ bool rested(const Frame& frame, double time)
   return frame.still_since >= 0 && frame.time - frame.still_since >= time;
 }
 
-/// Part of the mass that moved on average faster than a speed between two frames.
-double moving_fraction(const MovingBody& body, const Frame& a, const Frame& b, double speed)
+double dissipated(const Energies& e)
 {
-  const double way = speed * (b.time - a.time);
-  double moving = 0, all = 0;
-  for (std::size_t i = 0; i < a.state.x.size(); ++i)
-  {
-    const double mass = body.particles.volume[i] * body.particles.density[i];
-    all += mass;
-    if (std::hypot(b.state.x[i] - a.state.x[i], b.state.y[i] - a.state.y[i]) > way)
-      moving += mass;
-  }
-  return moving / all;
+  return e.plastic + e.viscous + e.damping;
+}
+
+/// Whether the soil is at rest between two frames but for elastic swinging: what moves is small,
+/// and so is what is dissipated. docs/theory.md eq. (11.1).
+/// @param[in] weight_height  Weight of the soil times the section's height [J per m run].
+bool still(const Frame& a, const Frame& b, double fall_time, double weight_height)
+{
+  const double lost = dissipated(b.energies) - dissipated(a.energies);
+  const double scale = std::max(dissipated(b.energies), 0.01 * weight_height);
+  return b.energies.kinetic + lost * fall_time / (b.time - a.time) < still_energy * scale;
 }
 
 /// Advance to a time since the start of the run-out; false if the user asked to stop.
@@ -185,6 +184,10 @@ RunOut run_out(const MovingBody& body, const std::vector<Cone>& cones, const Fra
   const double interval = settings.frame_interval > 0 ? settings.frame_interval : fall_time / 2;
   const double longest = settings.longest > 0 ? settings.longest : 40 * fall_time;
 
+  double weight_height = 0;
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    weight_height += body.particles.volume[i] * body.particles.density[i] * g * height;
+
   RunOut result;
   Frame frame = first;
   if (std::optional<FrameStore::Kept> kept = frames.kept(first))
@@ -226,10 +229,7 @@ RunOut run_out(const MovingBody& body, const std::vector<Cone>& cones, const Fra
                .state = soil.state(),
                .pore_pressure = soil.pore_pressure(),
                .energies = added(frame.energies, soil.energies())};
-    const bool still =
-        next.time > settings.shake_duration &&
-        moving_fraction(body, frame, next, still_speed * std::sqrt(g * height)) <= still_fraction;
-    if (!still)
+    if (next.time <= settings.shake_duration || !still(frame, next, fall_time, weight_height))
       next.still_since = -1;
     else if (next.still_since < 0)
       next.still_since = frame.time;

@@ -86,7 +86,7 @@ struct RunOut
 [[nodiscard]] Frame first_frame(const MovingBody& body, State start);
 
 /// @brief Let the soil move until it rests or the time is up.
-/// At rest: for sqrt(H/g), 99.9 % of the mass moved slower between frames than 1e-4 sqrt(g H).
+/// At rest: for sqrt(H/g), kinetic energy and dissipation are small, docs/theory.md eq. (11.1).
 /// A run-out that was stopped goes on from the last frame that was kept.
 /// @param[in] cones   One for each soil.
 /// @param[in] height  Of the section [m].

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draw a run: seepage.png, slip.png and trials.png beside its result.json and results.h5.
+"""Draw a run beside its result.json and results.h5: seepage.png, slip.png, trials.png, and of a
+run-out run_out.png, run_out_energy.png and run_out.gif.
 
     /usr/bin/python3 docs/plots/figures.py DIR [--out DIR]
 
@@ -21,55 +22,8 @@ from matplotlib.collections import PatchCollection
 from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
 
-# Okabe and Ito's colours: told apart by colour-blind readers too.
-BLUE, SKY, ORANGE, GREEN, GREY = "#0072B2", "#56B4E9", "#D55E00", "#009E73", "#666666"
-
-
-def pool_polygon(ground, level, side):
-    """Water on the ground from one end of the section to the first point above the level."""
-    ground = ground if side == "left" else ground[::-1]
-    wet = [ground[0]]
-    for a, b in zip(ground[:-1], ground[1:]):
-        if b[1] > level:
-            t = (level - a[1]) / (b[1] - a[1])
-            wet.append(a + t * (b - a))
-            break
-        wet.append(b)
-    return np.array([[wet[0][0], level], *wet, [wet[-1][0], level]])
-
-
-def draw_section(ax, result):
-    """Outline, pools, true aspect, axes in metres."""
-    section = result["section"]
-    outline = np.array(section["outline_m"])
-    ax.fill(*outline.T, facecolor="none", edgecolor="black", lw=1.2, zorder=5)
-    ground = np.array(section["ground_m"])
-    for side in ("left", "right"):
-        level = section[f"{side}_level_m"]
-        if level is not None:
-            pool = pool_polygon(ground, level, side)
-            ax.fill(*pool.T, facecolor=SKY, alpha=0.35, lw=0, zorder=1)
-            surface = pool[[0, -1]]
-            ax.plot(*surface.T, color=BLUE, lw=1.2, zorder=1)
-    width = section["x_max_m"] - section["x_min_m"]
-    height = section["y_max_m"] - section["y_min_m"]
-    ax.set_xlim(section["x_min_m"] - 0.01 * width, section["x_max_m"] + 0.01 * width)
-    ax.set_ylim(section["y_min_m"] - 0.06 * height, section["y_max_m"] + 0.10 * height)
-    ax.set_aspect("equal")
-    ax.set_xlabel("x [m]")
-    ax.set_ylabel("y [m]")
-
-
-def figure_for(result):
-    """A figure in the section's own proportions, with room for title and colour bar."""
-    section = result["section"]
-    ratio = (section["y_max_m"] - section["y_min_m"]) / (section["x_max_m"] - section["x_min_m"])
-    return plt.subplots(figsize=(11, min(max(11 * ratio + 1.9, 3), 11)), layout="constrained")
-
-
-def colour_bar(fig, ax, mappable, label):
-    bar = fig.colorbar(mappable, ax=ax, orientation="horizontal", shrink=0.6, aspect=40, pad=0.02)
-    bar.set_label(label)
+import run_out
+from section import BLUE, GREEN, GREY, ORANGE, SKY, colour_bar, draw_section, figure_for
 
 
 def draw_water_line(ax, result):
@@ -243,6 +197,10 @@ def main():
             "slip": slip_figure(result, fields) if "particles" in fields else None,
             "trials": trials_figure(result) if "stability" in result else None,
         }
+    if "runout" in result and run_out.frame_paths(options.directory):
+        figures["run_out"] = run_out.final_shape_figure(result, options.directory)
+        figures["run_out_energy"] = run_out.energy_figure(result)
+        run_out.animation(result, options.directory, out / "run_out.gif")
     for name, figure in figures.items():
         if figure is not None:
             figure.savefig(out / f"{name}.png", dpi=150, bbox_inches="tight")
