@@ -115,6 +115,18 @@ Json circle_json(const std::optional<coupling::SlipCircle>& circle)
           {"side", circle->moves_right ? "right" : "left"}};
 }
 
+Json history_json(const std::vector<sph::TrialWindow>& history)
+{
+  Json time = Json::array(), velocity = Json::array(), displacement = Json::array();
+  for (const sph::TrialWindow& window : history)
+  {
+    time.push_back(window.time);
+    velocity.push_back(window.velocity_measure);
+    displacement.push_back(window.max_displacement);
+  }
+  return {{"time_s", time}, {"velocity_measure", velocity}, {"max_displacement_m", displacement}};
+}
+
 Json stability_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const coupling::Stability& s = *analysis.stability;
@@ -129,6 +141,7 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
                       {"steps", t.steps},
                       {"velocity_measure", t.velocity_measure},
                       {"max_displacement_m", t.max_displacement},
+                      {"history", history_json(t.history)},
                       {"seconds", seconds(t.seconds)}});
   double wall = 0, cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)

@@ -16,10 +16,11 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::array our_files = {
-    "case.toml",          "results.h5",           "results_particles.xdmf",
-    "results_mesh.xdmf",  "results_run_out.xdmf", "seepage.png",
-    "slip.png",           "trials.png",           "run_out.png",
-    "run_out_energy.png", "run_out.gif",          "result.json"};
+    "case.toml",         "results.h5",           "results_particles.xdmf",
+    "results_mesh.xdmf", "results_run_out.xdmf", "seepage.png",
+    "slip.png",          "trials.png",           "curves.png",
+    "run_out.png",       "run_out_energy.png",   "run_out.gif",
+    "result.json"};
 
 fs::path aside(const fs::path& path)
 {

@@ -21,6 +21,14 @@ enum class Outcome
 
 [[nodiscard]] const char* to_string(Outcome outcome);
 
+/// The soil at the end of one window of T0.
+struct TrialWindow
+{
+  double time = 0;             ///< since the strength was reduced [s]
+  double velocity_measure = 0; ///< s of the window [-]; docs/theory.md eq. (6.1)
+  double max_displacement = 0; ///< since the settled state [m]
+};
+
 /// One run of the soil with its strength divided by a factor, and the evidence for its outcome.
 struct Trial
 {
@@ -31,8 +39,9 @@ struct Trial
   long steps = 0;
   double velocity_measure =
       0; ///< s of the last window: mean v_rms T0 / d_ref [-]; docs/theory.md section 6
-  double max_displacement = 0; ///< since the settled state [m]
-  bool interrupted = false;    ///< the user asked to stop
+  double max_displacement = 0;      ///< since the settled state [m]
+  std::vector<TrialWindow> history; ///< every window, in the order of time
+  bool interrupted = false;         ///< the user asked to stop
   Seconds seconds;
   State state; ///< at its end
 };

@@ -84,6 +84,7 @@ Trial run_trial(const SoilModel& model, const State& settled, std::vector<Cone> 
     trial.velocity_measure = run_window(*soil, model);
     trial.max_displacement = soil->max_displacement();
     const double time = soil->time() / model.T0;
+    trial.history.push_back({soil->time(), trial.velocity_measure, trial.max_displacement});
     over = verdict.add_window(time, trial.velocity_measure, trial.max_displacement / model.d_ref);
     trial.interrupted = !over && observer.stop_requested();
     observer.progress(time / (time + 10), {}); // trials take some 10 to 40 T0

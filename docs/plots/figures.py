@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draw a run beside its result.json and results.h5: seepage.png, slip.png, trials.png, and of a
-run-out run_out.png, run_out_energy.png and run_out.gif.
+"""Draw a run beside its result.json and results.h5: seepage.png, slip.png, trials.png, curves.png,
+and of a run-out run_out.png, run_out_energy.png and run_out.gif.
 
     /usr/bin/python3 docs/plots/figures.py DIR [--out DIR]
 
@@ -184,6 +184,39 @@ def trials_figure(result):
     return fig
 
 
+def curves_figure(result, title=None):
+    """Every trial: largest displacement over time. It levels off, or keeps growing."""
+    stability = result["stability"]
+    trials = sorted(stability["trials"], key=lambda t: t["factor"])
+    trials = [t for t in trials if t["history"]["time_s"]]
+    if not trials:
+        return None
+    fig, ax = plt.subplots(figsize=(7.5, 5), layout="constrained")
+    looks = {"stands": (GREEN, "-"), "fails": (ORANGE, "--"), "undecided": (GREY, ":")}
+    end = 1.12 * max(t["history"]["time_s"][-1] for t in trials)
+    for trial in trials:
+        colour, style = looks[trial["outcome"]]
+        time = np.array([0, *trial["history"]["time_s"]])
+        moved = np.array([0, *trial["history"]["max_displacement_m"]])
+        bracket = trial["factor"] in (stability["stands"], stability["fails"])
+        ax.plot(time, moved, style, color=colour, lw=2.4 if bracket else 1.2)
+        if trial["outcome"] == "stands":
+            ax.plot([time[-1], end], [moved[-1]] * 2, color=colour, lw=0.6, alpha=0.6)
+        ax.annotate(f"{trial['factor']:.4g}", (time[-1], moved[-1]), color=colour, fontsize=8,
+                    xytext=(3, 2), textcoords="offset points", annotation_clip=True)
+    for outcome, (colour, style) in looks.items():
+        if any(t["outcome"] == outcome for t in trials):
+            ax.plot([], [], style, color=colour, label=outcome)
+    ax.set_xlim(0, end)
+    ax.set_ylim(bottom=0)
+    ax.set_xlabel("time since the strength was reduced [s]")
+    ax.set_ylabel("largest displacement [m]")
+    ax.set_title(title or result["title"])
+    ax.grid(alpha=0.3)
+    ax.legend(loc="upper left")
+    return fig
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("directory", type=pathlib.Path, help="results of a run")
@@ -196,6 +229,7 @@ def main():
             "seepage": seepage_figure(result, fields) if "mesh" in fields else None,
             "slip": slip_figure(result, fields) if "particles" in fields else None,
             "trials": trials_figure(result) if "stability" in result else None,
+            "curves": curves_figure(result) if "stability" in result else None,
         }
     if "runout" in result and run_out.frame_paths(options.directory):
         figures["run_out"] = run_out.final_shape_figure(result, options.directory)

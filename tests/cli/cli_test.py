@@ -168,7 +168,7 @@ class Cli(unittest.TestCase):
         self.assertIn("settling", err)
         directory = self.dir / "results" / "two_sided_embankment_dry"
         files = {"case.toml", "result.json", "results.h5", "results_particles.xdmf"}
-        figures = {"slip.png", "trials.png"} if CAN_PLOT else set()
+        figures = {"slip.png", "trials.png", "curves.png"} if CAN_PLOT else set()
         self.assertEqual({p.name for p in directory.iterdir()}, files | figures)
         self.assertEqual((directory / "case.toml").read_bytes(), pathlib.Path(DRY).read_bytes())
         xml.etree.ElementTree.parse(directory / "results_particles.xdmf")
@@ -257,7 +257,7 @@ class Cli(unittest.TestCase):
         water = ["seepage"] if HAS_SEEPAGE else []
         case = CASES / ("seepage.toml" if HAS_SEEPAGE else "hydrostatic.toml")
         self.berm("run", case, *COARSE, "--out", "out")
-        for name in [*water, "slip", "trials"]:
+        for name in [*water, "slip", "trials", "curves"]:
             picture = (self.dir / "out" / f"{name}.png").read_bytes()
             self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
             self.assertGreater(len(picture), 10000)

@@ -68,6 +68,10 @@ TEST(RunWriter, TheResultIsTheContractForScripts)
   EXPECT_EQ(stability.at("mechanism").at("depth_m"), 0.5);
   EXPECT_EQ(stability.at("trials").size(), 2u);
   EXPECT_EQ(stability.at("trials").at(1).at("outcome"), "fails");
+  const Json history = {{"time_s", {0.25, 0.5}},
+                        {"velocity_measure", {0.125, 0.25}},
+                        {"max_displacement_m", {0.0625, 0.75}}};
+  EXPECT_EQ(stability.at("trials").at(1).at("history"), history);
   EXPECT_EQ(json.at("performance").at("particle_steps_per_cpu_second"), 50.0); // 300 in 2 + 4 s
 }
 

@@ -56,6 +56,7 @@ inline coupling::Analysis small_analysis()
   factor.trials[0].state = soil.settled;
   factor.trials[1].factor = 1.51;
   factor.trials[1].outcome = sph::Outcome::fails;
+  factor.trials[1].history = {{0.25, 0.125, 0.0625}, {0.5, 0.25, 0.75}};
   factor.trials[1].state = failing;
   soil.mechanism = sph::Mechanism{
       .slip_line = {{0, 1}, {1, 0.5}}, .depth = 0.5, .kind = "deep slide", .side = "right"};
