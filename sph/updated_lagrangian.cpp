@@ -25,6 +25,7 @@ constexpr long rebuilds_between_sorts = 20;
 UpdatedLagrangianSettings paper_settings()
 {
   return {.gradient_correction = false,
+          .pressure_correction = false,
           .artificial_stress = true,
           .viscosity_both_ways = false,
           .geostatic_base = false,
@@ -194,7 +195,7 @@ void UpdatedLagrangian::update_push()
     for (Index k = 0; k < 4 * row.blocks; ++k)
     {
       const Index jj = row.index[k];
-      if (jj == ii || (set_.gradient_correction && jj >= n_))
+      if (jj == ii || (set_.pressure_correction && jj >= n_))
         continue;
       const Point& p_j = point_[static_cast<std::size_t>(jj)];
       const double dx = at[0] - p_j.motion[0], dy = at[1] - p_j.motion[1];
@@ -218,7 +219,7 @@ void UpdatedLagrangian::update_push()
       yy -= g * dy * dy;
     }
     const SymTensor B =
-        set_.gradient_correction ? bounded_inverse(xx, xy, yy) : SymTensor{1, 1, 0, 0};
+        set_.pressure_correction ? bounded_inverse(xx, xy, yy) : SymTensor{1, 1, 0, 0};
     self_[i].push_x = -(B.xx * sx + B.xy * sy) * point_[i].matter[2];
     self_[i].push_y = -(B.xy * sx + B.yy * sy) * point_[i].matter[2];
   }

@@ -20,15 +20,17 @@ namespace berm::sph
 /// Which terms are on. The defaults suit soil that moves far.
 struct UpdatedLagrangianSettings
 {
-  bool gradient_correction = false; ///< B_i of eq. (9.2); exact on linear fields
-  bool artificial_stress = false;   ///< eq. (9.7); not conservative: soil in tension gains energy
-  bool viscosity_both_ways = true;  ///< eq. (9.6) on recession as well as on approach
-  bool geostatic_base = true;       ///< stress behind the base with its gradient, eq. (5.1)
-  double local_damping = 0;         ///< zeta of eq. (3.8) [-], [0, 1)
-  double alpha = 0.1, beta = 0.2;   ///< viscosity: linear, quadratic (on approach only) [-]
-  double eps0 = 0.5;                ///< artificial stress over tension [-]
-  double courant_number = 0.6;      ///< of eq. (9.9) [-]
-  double gravity = berm::gravity;   ///< downwards [m/s2]
+  bool gradient_correction =
+      false; ///< B_i of eq. (9.2) in strain and stress; exact on linear fields
+  bool pressure_correction = true; ///< the same in the pore term (9.5)
+  bool artificial_stress = false;  ///< eq. (9.7); not conservative: soil in tension gains energy
+  bool viscosity_both_ways = true; ///< eq. (9.6) on recession as well as on approach
+  bool geostatic_base = true;      ///< stress behind the base with its gradient, eq. (5.1)
+  double local_damping = 0;        ///< zeta of eq. (3.8) [-], [0, 1)
+  double alpha = 0.1, beta = 0.2;  ///< viscosity: linear, quadratic (on approach only) [-]
+  double eps0 = 0.5;               ///< artificial stress over tension [-]
+  double courant_number = 0.6;     ///< of eq. (9.9) [-]
+  double gravity = berm::gravity;  ///< downwards [m/s2]
 };
 
 /// The literal form of Bui et al. 2009: no correction, stress behind the base copied, viscosity on

@@ -43,6 +43,20 @@ TEST(PorePressure, ThePapersLineRunsFromTheWaterlineToTheToe)
   EXPECT_NEAR((line[1] - Vec2{157.9, 7.3}).norm(), 0, 1e-9);
 }
 
+TEST(PorePressure, AroundTheSectionItIsThatOfPoolsAndAir)
+{
+  meshes::SectionInput input = tests::embankment();
+  input.left_pool_level = 24.4;
+  const PorePressure inside = [](std::span<const double> x, std::span<const double>)
+  { return std::vector<double>(x.size(), 7.0); };
+  const PorePressure p_w = pore_pressure_in_space(inside, meshes::build_section(input));
+  EXPECT_EQ(at(p_w, 100, 10), 7);
+  EXPECT_NEAR(at(p_w, 20, 10), 9810 * 14.4, 1e-9); // in the pool, where there was no soil
+  EXPECT_EQ(at(p_w, 20, 25), 0);                   // above it
+  EXPECT_EQ(at(p_w, 170, 8), 0);                   // beyond the dry toe
+  EXPECT_EQ(at(p_w, 103, 30), 0);                  // above the crest
+}
+
 TEST(PorePressure, WithTwoPoolsTheLineJoinsTheirWaterlines)
 {
   meshes::SectionInput input = tests::embankment();
