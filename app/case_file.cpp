@@ -127,6 +127,7 @@ private:
       m.dilation_angle = si("dilation_angle_deg", radians);
       m.young_modulus = si("young_modulus_kPa", 1e3);
       m.poisson_ratio = si("poisson_ratio", 1);
+      m.tensile_strength = number(at + "tensile_strength_kPa", INFINITY) * 1e3;
       check_soil(at, m);
       if (const auto k = values_.get<std::vector<double>>(at + "conductivity_m_s"))
         soil.conductivity =

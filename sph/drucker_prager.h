@@ -3,7 +3,9 @@
 
 #include "core/tensor.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 /// Linear elasticity with a Drucker-Prager cone: pure functions of values.
 namespace berm::sph
@@ -14,6 +16,9 @@ struct Cone
   double alpha = 0;     ///< friction constant [-]
   double alpha_psi = 0; ///< dilation constant [-]
   double k = 0;         ///< cohesion constant [Pa]
+  /// Tension cut-off: I1 is at most this [Pa], at most k / alpha. Infinite: the apex is the
+  /// cut-off.
+  double most_tension = std::numeric_limits<double>::infinity();
 };
 
 /// Elastic moduli of an isotropic solid.
@@ -73,17 +78,25 @@ struct Returned
 
 /// @brief Return a trial effective stress to the cone.
 /// Smooth part: sqrt(J2) falls by G dgamma, I1 by 9 K alpha_psi dgamma; past the axis the stress
-/// goes to the apex I1 = k / alpha, which is also the tension cut-off. docs/theory.md eq.
-/// (4.6)-(4.8).
+/// goes to the apex I1 = k / alpha. Beyond the tension cut-off, I1 falls to it and sqrt(J2) to the
+/// cone there. docs/theory.md eq. (4.6)-(4.9).
 [[nodiscard]] inline Returned return_to_cone(const SymTensor& trial, const Cone& cone,
                                              const Elastic& e)
 {
+  const double sqrt3 = 1.7320508075688772;
   const double i1 = I1(trial), q = std::sqrt(J2(trial));
+  if (i1 > cone.most_tension)
+  {
+    const double q_cut = std::min(q, cone.k - cone.alpha * cone.most_tension);
+    const double part = q > 0 ? q_cut / q : 0, p = i1 / 3, p_cut = cone.most_tension / 3;
+    return {.sig = {p_cut + part * (trial.xx - p), p_cut + part * (trial.yy - p),
+                    p_cut + part * (trial.zz - p), part * trial.xy},
+            .plastic_strain = (q - q_cut) / (e.G * sqrt3)};
+  }
   const double f = q + cone.alpha * i1 - cone.k;
   if (f <= 0)
     return {.sig = trial};
 
-  const double sqrt3 = 1.7320508075688772;
   const double dgamma = f / (e.G + 9 * e.K * cone.alpha * cone.alpha_psi);
   const double q_new = q - e.G * dgamma;
   if (q_new < 0) // only with alpha > 0: alpha = 0 gives q_new = k >= 0

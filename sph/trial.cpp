@@ -65,7 +65,10 @@ std::vector<Cone> reduced_cones(std::span<const Soil> soils, double factor, cons
     const double c = soil.cohesion / factor;
     const double phi = std::atan(std::tan(soil.friction_angle) / factor);
     const double psi = std::min(soil.dilation_angle, phi);
-    cones.push_back(cone == "paper" ? paper_cone(c, phi, psi) : fit_plane_strain(c, phi, psi));
+    Cone& last = cones.emplace_back(cone == "paper" ? paper_cone(c, phi, psi)
+                                                    : fit_plane_strain(c, phi, psi));
+    if (const double cut_off = 3 * soil.tensile_strength / factor; cut_off * last.alpha < last.k)
+      last.most_tension = cut_off;
   }
   return cones;
 }

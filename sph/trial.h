@@ -26,8 +26,8 @@ struct Settled
 /// @throws NotConverged if it does not come to rest; NumericalError on a value that is not finite.
 [[nodiscard]] Settled settle(const SoilModel& model, Observer& observer);
 
-/// @brief Strength reduced by a factor: c and tan(phi) first, then the cone; psi is kept at or
-/// below phi_F.
+/// @brief Strength reduced by a factor: c, tan(phi) and the tensile strength first, then the cone;
+/// psi is kept at or below phi_F.
 /// @param[in] cone  "fitted" or "paper" (Bui et al. 2009 eq. 14 for every psi).
 [[nodiscard]] std::vector<Cone> reduced_cones(std::span<const Soil> soils, double factor,
                                               const std::string& cone);

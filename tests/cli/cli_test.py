@@ -53,6 +53,55 @@ class Cli(unittest.TestCase):
     def result(self, directory):
         return json.loads((self.dir / directory / "result.json").read_text())
 
+    def run_out(self, directory, *more, code=0):
+        shake = ["--set", "runout.shake_g=0.5", "--set", "runout.shake_duration_s=1"]
+        return self.berm("run", DRY, "--out", directory, "--set", "stability.enabled=false",
+                         "--set", "runout.factor=3", *shake, *COARSE, *more, code=code)
+
+    def test_a_run_out_writes_frames_a_report_and_comes_to_rest(self):
+        out, _ = self.run_out("out", *NO_FIGURES)
+        self.assertIn("at rest since", out)
+        result = self.result("out")
+        run_out = result["runout"]
+        self.assertTrue(result["complete"] and run_out["at_rest"])
+        self.assertGreater(run_out["run_out_m"], 0)
+        frames = sorted((self.dir / "out" / "run_out").iterdir())
+        self.assertEqual(len(frames), run_out["frames"])
+        grids = xml.etree.ElementTree.parse(self.dir / "out" / "results_run_out.xdmf").iter("Time")
+        times = [float(t.get("Value")) for t in grids]
+        self.assertEqual(len(times), len(frames))
+        self.assertEqual(times, sorted(times))
+
+    def test_a_stopped_run_out_goes_on_to_the_same_bits(self):
+        self.run_out("whole", *NO_FIGURES)
+        self.run_out("parts", *NO_FIGURES)
+        frames = sorted((self.dir / "parts" / "run_out").iterdir())
+        for frame in frames[3:]:
+            frame.unlink()
+        frames[3].with_suffix(".h5.part").write_bytes(b"half a frame")
+        self.run_out("parts", "--resume", *NO_FIGURES)
+        for frame in sorted((self.dir / "whole" / "run_out").iterdir()):
+            twin = self.dir / "parts" / "run_out" / frame.name
+            self.assertEqual(frame.read_bytes(), twin.read_bytes(), frame.name)
+        self.assertEqual(without_times(self.result("whole")), without_times(self.result("parts")))
+
+    def test_frames_of_another_run_out_are_refused(self):
+        self.run_out("out", *NO_FIGURES)
+        _, err = self.run_out("out", "--resume", "--set", "runout.factor=3.5", *NO_FIGURES, code=4)
+        self.assertIn("another run-out", err)
+
+    def test_soil_that_still_moves_is_no_answer(self):
+        out, _ = self.run_out("out", "--set", "runout.duration_s=1", *NO_FIGURES, code=3)
+        self.assertIn("STILL MOVING", out)
+        self.assertFalse(self.result("out")["complete"])
+
+    def test_a_run_out_that_makes_no_sense_is_refused(self):
+        _, err = self.berm("check", DRY, "--set", "stability.enabled=false", "--set",
+                           "runout.shake_g=0.3", "--set", "runout.frame_interval_s=5", "--set",
+                           "runout.duration_s=2", code=2)
+        for key in ("runout.factor", "runout.shake_duration_s", "runout.frame_interval_s"):
+            self.assertIn(key, err)
+
     def test_help_names_the_commands_and_exit_codes(self):
         for arguments in ([], ["--help"]):
             out, _ = self.berm(*arguments)

@@ -157,6 +157,26 @@ TEST(ReturnToCone, TensionBeyondTheApexReturnsToIt)
   EXPECT_GT(r.plastic_strain, 0);
 }
 
+TEST(ReturnToCone, BeyondTheTensionCutOffEndsWhereItMeetsTheCone)
+{
+  Cone cone = fit_plane_strain(5e3, 30 * degree, 0);
+  cone.most_tension = 3 * 2e3;
+  const Elastic e = elastic_moduli(1e7, 0.3);
+  const SymTensor much{50e3, 40e3, 45e3, 30e3}; // far outside both
+  const Returned corner = return_to_cone(much, cone, e);
+  EXPECT_NEAR(I1(corner.sig), 6e3, 1e-9);
+  EXPECT_NEAR(std::sqrt(J2(corner.sig)), cone.k - cone.alpha * 6e3, 1e-9);
+  EXPECT_NEAR(corner.sig.xy / (corner.sig.xx - corner.sig.yy), 30. / 10, 1e-12); // same direction
+
+  const Returned flat = return_to_cone({4e3, 3e3, 3.5e3, 0.1e3}, cone, e); // within the cone
+  EXPECT_NEAR(I1(flat.sig), 6e3, 1e-9);
+  EXPECT_NEAR(flat.sig.xy, 0.1e3, 1e-9);
+  EXPECT_EQ(flat.plastic_strain, 0); // a change of volume alone
+
+  const SymTensor inside{1e3, 0.5e3, 0.8e3, 0.2e3};
+  EXPECT_EQ(return_to_cone(inside, cone, e).sig.xx, inside.xx);
+}
+
 TEST(ReturnToCone, CohesionlessSoilBearsNoTension)
 {
   const Cone cone = fit_plane_strain(0, 37 * degree, 0);
