@@ -74,6 +74,7 @@ struct Returned
 {
   SymTensor sig;
   double plastic_strain = 0; ///< increment of sqrt(2/3 e_p : e_p), deviatoric [-]
+  double gap = 0; ///< volume strain beyond apex or cut-off: empty space, not looser soil [-]
 };
 
 /// @brief Return a trial effective stress to the cone.
@@ -91,7 +92,8 @@ struct Returned
     const double part = q > 0 ? q_cut / q : 0, p = i1 / 3, p_cut = cone.most_tension / 3;
     return {.sig = {p_cut + part * (trial.xx - p), p_cut + part * (trial.yy - p),
                     p_cut + part * (trial.zz - p), part * trial.xy},
-            .plastic_strain = (q - q_cut) / (e.G * sqrt3)};
+            .plastic_strain = (q - q_cut) / (e.G * sqrt3),
+            .gap = (p - p_cut) / e.K};
   }
   const double f = q + cone.alpha * i1 - cone.k;
   if (f <= 0)
@@ -102,7 +104,7 @@ struct Returned
   if (q_new < 0) // only with alpha > 0: alpha = 0 gives q_new = k >= 0
   {
     const double p = cone.k / (3 * cone.alpha);
-    return {.sig = {p, p, p, 0}, .plastic_strain = q / (e.G * sqrt3)};
+    return {.sig = {p, p, p, 0}, .plastic_strain = q / (e.G * sqrt3), .gap = (i1 / 3 - p) / e.K};
   }
   const double ratio = q > 0 ? q_new / q : 0;
   const double p = i1 / 3, p_new = p - 3 * e.K * cone.alpha_psi * dgamma;

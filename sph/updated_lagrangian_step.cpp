@@ -150,6 +150,7 @@ double UpdatedLagrangian::update_stress(Index ii)
     const Returned returned = return_to_cone(trial, cones_[soil], e);
     self.sig = returned.sig;
     self.plastic_strain += returned.plastic_strain;
+    self.density += matter[1] * returned.gap; // a gap is no looser soil
     // Work of the mean stress on the plastic strain: what the forces of both ends of the step lose.
     const SymTensor plastic_stress = trial + (-1.0) * returned.sig;
     self.plastic += 0.5 * matter[0] / self.density *

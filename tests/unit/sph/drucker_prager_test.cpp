@@ -151,7 +151,9 @@ TEST(ReturnToCone, EndsOnTheConeWithTheFlowRulesDirection)
 TEST(ReturnToCone, TensionBeyondTheApexReturnsToIt)
 {
   const Cone cone = fit_plane_strain(5e3, 30 * degree, 0);
-  const Returned r = return_to_cone({50e3, 40e3, 45e3, 3e3}, cone, elastic_moduli(1e7, 0.3));
+  const Elastic e = elastic_moduli(1e7, 0.3);
+  const Returned r = return_to_cone({50e3, 40e3, 45e3, 3e3}, cone, e);
+  EXPECT_NEAR(r.gap, (135e3 - cone.k / cone.alpha) / (3 * e.K), 1e-15);
   EXPECT_NEAR(I1(r.sig), cone.k / cone.alpha, 1e-9);
   EXPECT_NEAR(J2(r.sig), 0, 1e-9);
   EXPECT_GT(r.plastic_strain, 0);
