@@ -36,8 +36,9 @@ TEST(SaturatedColumn, StaysAtRestWithItsBuoyantStress)
   const double dx = 0.5, buoyant = rho * gravity - water_unit_weight;
   for (const bool corrected : {false, true})
   {
-    MovingBody body =
-        saturated_column(dx, {.gradient_correction = corrected, .local_damping = 0.8});
+    MovingBody body = saturated_column(
+        dx,
+        {.gradient_correction = corrected, .pressure_correction = corrected, .local_damping = 0.8});
     Observer silent;
     const State settled = settle(body, silent).state;
     double worst = 0;
@@ -65,8 +66,10 @@ TEST(SaturatedColumn, ALinearPressurePushesByItsGradientAtEveryBoundary)
 {
   for (const bool corrected : {false, true})
   {
-    const MovingBody body = saturated_column(
-        0.5, {.gradient_correction = corrected, .geostatic_base = false, .gravity = 0});
+    const MovingBody body = saturated_column(0.5, {.gradient_correction = corrected,
+                                                   .pressure_correction = corrected,
+                                                   .geostatic_base = false,
+                                                   .gravity = 0});
     UpdatedLagrangian soil(body, {}, tests::at_rest(body));
     const double dt = soil.time_step();
     soil.advance(1);
