@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Claim: whatever the disorder of the seeds, the relaxed packing gives the factor of columns.
+#include "coupling/pore_pressure.h"
 #include "sph/fill.h"
 #include "sph/seeds.h"
 #include "tests/support/factor.h"
@@ -22,6 +23,26 @@ TEST_P(PackingSeeds, AllGiveTheFactorOfColumns)
     const std::vector<Vec2> seeds = jittered(section, square_seeds(section, dx), width, seed);
     EXPECT_NEAR(tests::dry_factor(fill_from_seeds(section, seeds, dx, "jittered"), section) / F, 1,
                 0.02)
+        << "seed " << seed;
+  }
+}
+
+// Under the straight line the columns themselves need 0.5 m (1.819 at 1 m, 1.806 at 0.5 m).
+TEST(PackingSeedsUnderWater, AllGiveTheFactorOfColumnsUnderTheStraightLine)
+{
+  const double dx = 0.5;
+  meshes::SectionInput input = tests::embankment();
+  input.left_pool_level = 24.4;
+  const meshes::Section section = meshes::build_section(input);
+  const auto pressure =
+      coupling::hydrostatic_pore_pressure(coupling::straight_free_surface(section));
+  const auto wet_factor = [&](const Particles& p)
+  { return tests::factor(p, section, pressure(p.x, p.y), 1.6, 2.0); };
+  const double F = wet_factor(fill(section, dx, "columns"));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const std::vector<Vec2> seeds = jittered(section, square_seeds(section, dx), 0.2 * dx, seed);
+    EXPECT_NEAR(wet_factor(fill_from_seeds(section, seeds, dx, "jittered")) / F, 1, 0.02)
         << "seed " << seed;
   }
 }
