@@ -221,8 +221,12 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
                               sph::paper_settings());
   const sph::SoilModel model = moving ? sph::SoilModel(*moving) : sph::SoilModel(body);
 
-  const sph::Settled settled =
-      timed(analysis, observer, "settling", [&] { return sph::settle(model, observer); });
+  // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
+  std::vector<sph::Cone> settling_cones;
+  if (moving)
+    settling_cones = sph::reduced_cones(soils, 1, input.sph.cone);
+  const sph::Settled settled = timed(analysis, observer, "settling",
+                                     [&] { return sph::settle(model, observer, settling_cones); });
   stability.settled = settled.state;
   stability.settlement = settled.settlement;
   if (!moving) // without gradient correction every packing settles too far

@@ -29,10 +29,10 @@ double run_window(SoilSolver& soil, const SoilModel& model)
 }
 } // namespace
 
-Settled settle(const SoilModel& model, Observer& observer)
+Settled settle(const SoilModel& model, Observer& observer, std::vector<Cone> cones)
 {
   constexpr double settled_measure = 1e-4, longest = 300;
-  const std::unique_ptr<SoilSolver> soil = model.solver({}, unstressed(model.n));
+  const std::unique_ptr<SoilSolver> soil = model.solver(std::move(cones), unstressed(model.n));
   double first = 0;
   for (;;)
   {
@@ -54,6 +54,7 @@ Settled settle(const SoilModel& model, Observer& observer)
   const State zero = unstressed(model.n);
   settled.state.ux = settled.state.uy = zero.ux;
   settled.state.vx = settled.state.vy = zero.vx;
+  settled.state.plastic_strain = zero.plastic_strain;
   return settled;
 }
 

@@ -21,10 +21,12 @@ struct Settled
   long steps = 0;
 };
 
-/// @brief Let the soil settle elastically under gravity and pore pressure from zero stress.
-/// Every trial starts from this state. The start (K0, elastic, elastoplastic) does not change F.
+/// @brief Let the soil settle under gravity and pore pressure from zero stress.
+/// Every trial starts from this state.
+/// @param[in] cones  Empty: elastically. Else with this strength, which must hold it.
 /// @throws NotConverged if it does not come to rest; NumericalError on a value that is not finite.
-[[nodiscard]] Settled settle(const SoilModel& model, Observer& observer);
+[[nodiscard]] Settled settle(const SoilModel& model, Observer& observer,
+                             std::vector<Cone> cones = {});
 
 /// @brief Strength reduced by a factor: c, tan(phi) and the tensile strength first, then the cone;
 /// psi is kept at or below phi_F.

@@ -184,16 +184,13 @@ def trials_figure(result):
     return fig
 
 
-def curves_figure(result, title=None):
+def draw_curves(ax, result):
     """Every trial: largest displacement over time. It levels off, or keeps growing."""
     stability = result["stability"]
     trials = sorted(stability["trials"], key=lambda t: t["factor"])
     trials = [t for t in trials if t["history"]["time_s"]]
-    if not trials:
-        return None
-    fig, ax = plt.subplots(figsize=(7.5, 5), layout="constrained")
     looks = {"stands": (GREEN, "-"), "fails": (ORANGE, "--"), "undecided": (GREY, ":")}
-    end = 1.12 * max(t["history"]["time_s"][-1] for t in trials)
+    end = 1.15 * max(t["history"]["time_s"][-1] for t in trials)
     for trial in trials:
         colour, style = looks[trial["outcome"]]
         time = np.array([0, *trial["history"]["time_s"]])
@@ -203,7 +200,7 @@ def curves_figure(result, title=None):
         if trial["outcome"] == "stands":
             ax.plot([time[-1], end], [moved[-1]] * 2, color=colour, lw=0.6, alpha=0.6)
         ax.annotate(f"{trial['factor']:.4g}", (time[-1], moved[-1]), color=colour, fontsize=8,
-                    xytext=(3, 2), textcoords="offset points", annotation_clip=True)
+                    xytext=(3, 2), textcoords="offset points")
     for outcome, (colour, style) in looks.items():
         if any(t["outcome"] == outcome for t in trials):
             ax.plot([], [], style, color=colour, label=outcome)
@@ -211,9 +208,17 @@ def curves_figure(result, title=None):
     ax.set_ylim(bottom=0)
     ax.set_xlabel("time since the strength was reduced [s]")
     ax.set_ylabel("largest displacement [m]")
-    ax.set_title(title or result["title"])
     ax.grid(alpha=0.3)
     ax.legend(loc="upper left")
+
+
+def curves_figure(result):
+    """The course of every trial, with its factor at its end."""
+    if not any(t["history"]["time_s"] for t in result["stability"]["trials"]):
+        return None
+    fig, ax = plt.subplots(figsize=(7.5, 5), layout="constrained")
+    draw_curves(ax, result)
+    ax.set_title(result["title"])
     return fig
 
 
