@@ -33,13 +33,19 @@ struct Row
 
 std::vector<Row> rows()
 {
-  std::vector<Row> all{{.change = "paper mode"}};
+  std::vector<Row> all;
+  all.reserve(32); // the references below stay good
+  all.push_back({.change = "paper mode"});
   const auto add = [&](const char* change) -> Row&
   { return all.emplace_back(Row{.change = change}); };
-  add("gradient correction (9.2)").terms.gradient_correction = true;
+  add("pore term corrected (9.5)").terms.pressure_correction = true;
+  add("strain and stress corrected (9.2)").terms.gradient_correction = true;
+  Row& both = add("both corrected");
+  both.terms.pressure_correction = both.terms.gradient_correction = true;
   add("geostatic gradient behind the base (5.1)").terms.geostatic_base = true;
-  Row& both = add("both");
-  both.terms.gradient_correction = both.terms.geostatic_base = true;
+  Row& three = add("all three");
+  three.terms = both.terms;
+  three.terms.geostatic_base = true;
   add("no artificial stress").terms.artificial_stress = false;
   add("viscosity both ways").terms.viscosity_both_ways = true;
   add("local damping 0.5 instead of 0.8").terms.local_damping = 0.5;
