@@ -131,7 +131,7 @@ std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& mode
 sph::UpdatedLagrangianSettings run_out_terms(const SphSettings& settings)
 {
   if (settings.formulation != "paper")
-    return {};
+    return {.gradient_correction = true};
   sph::UpdatedLagrangianSettings terms = sph::paper_settings();
   terms.local_damping = 0;
   return terms;

@@ -30,6 +30,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"soil.*.dilation_angle_deg", "0"},
     {"soil.*.young_modulus_kPa", "1e5"},
     {"soil.*.poisson_ratio", "0.3"},
+    {"soil.*.tensile_strength_kPa", "5"},
     {"soil.*.conductivity_m_s", "[1e-6, 1e-7]"},
     {"soil.*.conductivity_angle_deg", "10"},
     {"water.pore_pressure", "\"hydrostatic\""},
@@ -45,6 +46,11 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"sph.threads", "1"},
     {"stability.factor_range", "[1, 2]"},
     {"stability.tolerance", "0.02"},
+    {"runout.factor", "1"},
+    {"runout.duration_s", "20"},
+    {"runout.frame_interval_s", "0.5"},
+    {"runout.shake_g", "0"},
+    {"runout.shake_duration_s", "0"},
     {"output.probes_m", "[[5, 5]]"},
 };
 

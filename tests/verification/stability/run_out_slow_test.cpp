@@ -57,7 +57,8 @@ TEST_P(EmbankmentRunOut, ComesToRestAndDoesNotGrowWithTheNumberOfParticles)
 }
 
 INSTANTIATE_TEST_SUITE_P(Waters, EmbankmentRunOut,
-                         testing::Values(std::pair{"dry", "3"}, std::pair{"hydrostatic", "2.4"}));
+                         testing::Values(std::pair{"dry", "3"}, std::pair{"dry", "2.7"},
+                                         std::pair{"hydrostatic", "2.4"}));
 #ifdef BERM_WITH_SEEPAGE
 INSTANTIATE_TEST_SUITE_P(Seepage, EmbankmentRunOut, testing::Values(std::pair{"seepage", "2"}));
 #endif
