@@ -23,7 +23,7 @@ MovingBody weak_column(double dx)
   soil.young_modulus = 1e7;
   const std::vector<Soil> soils{soil};
   tests::set_density(particles, soil.density);
-  MovingBody body = moving_body(particles, soils, {}, section, {});
+  MovingBody body = moving_body(particles, soils, {}, section, {.gradient_correction = true});
   body.walls.right.reset();
   return body;
 }
