@@ -164,7 +164,7 @@ void add_stability(Page& page, const coupling::Stability& s, bool searched)
               t.max_displacement, t.reason);
 }
 
-void add_run_out(Page& page, const coupling::RunOut& r)
+void add_run_out(Page& page, const coupling::RunOut& r, const meshes::Section& section)
 {
   const sph::FinalShape& shape = r.shape;
   page.heading("Run-out");
@@ -180,7 +180,13 @@ void add_run_out(Page& page, const coupling::RunOut& r)
                                     point_text(*shape.toe), point_text(*shape.tip), shape.side));
   else
     page.row("run-out", "none: the surface rises nowhere by 1 % of the height");
-  page.row("crest", fmt::format("lower by {:.2f} m", shape.crest_settlement));
+  if (!shape.run_out && r.from_trial)
+    page.row("", "a slope just past its limit soon rests; runout.factor follows a larger failure");
+  std::string crest = fmt::format("lower by {:.2f} m", shape.crest_settlement);
+  if (const auto left = freeboard(r, section))
+    crest += *left > 0 ? fmt::format(", {:.2f} m above the pool", *left)
+                       : fmt::format(", {:.2f} m BELOW the pool: it is overtopped", -*left);
+  page.row("crest", crest);
   page.row("moved", fmt::format("{:.4g} m3 per m, by {:.2f} m at most", shape.moved_volume,
                                 shape.max_displacement));
   const sph::Energies &first = r.motion.history.front().energies,
@@ -256,7 +262,7 @@ std::string report(const coupling::Case& input, const coupling::Analysis& analys
   if (analysis.stability)
     add_stability(page, *analysis.stability, input.stability);
   if (analysis.run_out)
-    add_run_out(page, *analysis.run_out);
+    add_run_out(page, *analysis.run_out, analysis.section);
   add_times(page, analysis);
   if (!warnings.empty())
     page.heading("Warnings");

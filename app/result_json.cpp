@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace berm::app
@@ -191,7 +192,7 @@ Json energies_json(const std::vector<sph::Moment>& history)
   return list;
 }
 
-Json run_out_json(const coupling::RunOut& run_out, double spacing)
+Json run_out_json(const coupling::RunOut& run_out, const meshes::Section& section, double spacing)
 {
   const sph::RunOut& motion = run_out.motion;
   const sph::FinalShape& shape = run_out.shape;
@@ -208,6 +209,7 @@ Json run_out_json(const coupling::RunOut& run_out, double spacing)
           {"toe_m", or_null_point(shape.toe)},
           {"tip_m", or_null_point(shape.tip)},
           {"crest_settlement_m", shape.crest_settlement},
+          {"freeboard_m", or_null(freeboard(run_out, section))},
           {"moved_volume_m2", shape.moved_volume},
           {"max_displacement_m", shape.max_displacement},
           {"closest_pair_over_spacing", motion.closest_pair / spacing},
@@ -278,6 +280,18 @@ std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& an
   return analysis.stability->particle_steps / cpu;
 }
 
+std::optional<double> freeboard(const coupling::RunOut& run_out, const meshes::Section& section)
+{
+  if (!section.left_pool_level && !section.right_pool_level)
+    return std::nullopt;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double highest = none;
+  for (const Vec2& p : run_out.shape.surface)
+    highest = std::max(highest, p.y());
+  return highest -
+         std::max(section.left_pool_level.value_or(none), section.right_pool_level.value_or(none));
+}
+
 bool complete(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const bool factor_found =
@@ -300,7 +314,8 @@ Json result_json(const coupling::Case& input, const coupling::Analysis& analysis
   if (analysis.stability)
     json["stability"] = stability_json(input, analysis);
   if (analysis.run_out)
-    json["runout"] = run_out_json(*analysis.run_out, analysis.stability->particles.spacing);
+    json["runout"] =
+        run_out_json(*analysis.run_out, analysis.section, analysis.stability->particles.spacing);
   json["performance"] = performance_json(analysis);
   require_finite(json);
   return json;

@@ -38,6 +38,11 @@ particle_steps_per_cpu_second(const coupling::Analysis& analysis);
 /// soil at rest.
 [[nodiscard]] bool complete(const coupling::Case& input, const coupling::Analysis& analysis);
 
+/// @brief How far the highest soil at the end of a run-out stands above the higher pool [m];
+/// nothing without a pool.
+[[nodiscard]] std::optional<double> freeboard(const coupling::RunOut& run_out,
+                                              const meshes::Section& section);
+
 /// @brief The contract for scripts: docs/output_format.md. Times are under "seconds" and in
 /// "performance" only; all else is the same, bit for bit, when a run is repeated.
 /// @throws NumericalError naming the first value that is not finite.

@@ -161,6 +161,10 @@ std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
                                : p_w;
   const sph::Frame first =
       sph::first_frame(body, result.from_trial ? failing->state : stability.settled);
+  for (const Soil& soil : input.soils)
+    if (soil.mechanical.dilation_angle > 0)
+      observer.warn("soil." + soil.name +
+                    " dilates as long as it flows; dilation_angle_deg = 0 is usual for a run-out");
   frames.open(stability.particles, result.factor, input.run_out->motion);
   result.motion =
       sph::run_out(body, sph::reduced_cones(soils, result.factor, input.sph.cone), first,
