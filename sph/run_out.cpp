@@ -103,22 +103,23 @@ double highest(const Polyline& line)
       ->y();
 }
 
-/// Foot of the slope from the crest down to one end of the ground: the vertex farthest below the
+/// Foot of the slope from the crest to one end of the ground: the vertex farthest below the
 /// straight line between these two; the end if none lies below.
 Vec2 toe_of(const Polyline& ground, bool right)
 {
-  const Vec2 end = right ? ground.back() : ground.front();
+  Polyline down = ground; // from the crest on that side to the end
+  if (!right)
+    std::reverse(down.begin(), down.end());
   const double crest_level = highest(ground);
-  Vec2 crest = end, toe = end;
-  for (const Vec2& p : ground)
-    if (p.y() == crest_level && (crest.y() < crest_level || right))
-      crest = p;
+  while (std::any_of(down.begin() + 1, down.end(),
+                     [crest_level](const Vec2& p) { return p.y() == crest_level; }))
+    down.erase(down.begin());
+  const Vec2 chord = down.back() - down.front();
+  Vec2 toe = down.back();
   double deepest = 0;
-  for (const Vec2& p : ground)
+  for (const Vec2& p : down)
   {
-    if ((p.x() - crest.x()) * (end.x() - crest.x()) < 0)
-      continue;
-    const Vec2 chord = end - crest, to = p - crest;
+    const Vec2 to = p - down.front();
     const double below = (right ? -1 : 1) * (chord.x() * to.y() - chord.y() * to.x());
     if (below > deepest)
     {

@@ -223,4 +223,30 @@ TEST(FinalShape, OfASlidBlockIsExact)
     area += p.y() * dx;
   EXPECT_NEAR(area, 10 * 2 + 10 * 0.5, 1e-9);
 }
+
+// Under an overhang the toe lies behind the crest; on the left everything is mirrored.
+TEST(FinalShape, TheToeIsTheFootOfTheSlopeOnTheSideOfTheMotion)
+{
+  for (const double side : {1.0, -1.0})
+  {
+    meshes::SectionInput input;
+    input.outline = {{0, 0},         {side * 60, 0},  {side * 60, 5},
+                     {side * 20, 5}, {side * 22, 15}, {0, 15}};
+    const meshes::Section section = meshes::build_section(input);
+    const Particles particles = fill(section, 1, "lattice");
+    State state = unstressed(static_cast<Index>(particles.size()));
+    state.x = particles.x;
+    state.y = particles.y;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      if (std::abs(particles.x[i]) > 15 && particles.y[i] > 5)
+      {
+        state.ux[i] = side * 8;
+        state.x[i] += side * 8;
+      }
+    const FinalShape shape = final_shape(particles, state, section);
+    EXPECT_EQ(shape.side, side > 0 ? "right" : "left");
+    EXPECT_NEAR((shape.toe.value() - Vec2{side * 20, 5}).norm(), 0, 1e-12);
+    EXPECT_NEAR(shape.run_out.value(), 10, 2); // its front stood 2 m beyond the toe
+  }
+}
 } // namespace berm::sph
