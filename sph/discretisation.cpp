@@ -132,19 +132,26 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
     source.push_back(g.source);
   }
 
-  // Step 3: pairs.
+  // Step 3: pairs. Soil much stiffer than the rest would creep against a viscosity of its own.
+  const double fastest_shear = 2 * d.height / d.T0;
+  const auto viscous_speed = [&](std::size_t i)
+  {
+    const double c_p = std::sqrt(moduli(i).M() / particles.density[i]);
+    const double c_s = std::sqrt(moduli(i).G / particles.density[i]);
+    return c_p * std::min(1.0, fastest_shear / c_s);
+  };
   d.neighbours = find_neighbours(x, y, d.n, W.radius());
   d.B = gradient_correction(x, y, V, d.neighbours, d.h);
   d.G.reserve(d.neighbours.index.size());
   d.viscosity.reserve(d.neighbours.index.size());
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double c_i = std::sqrt(moduli(i).M() / particles.density[i]);
+    const double c_i = viscous_speed(i);
     for (const Index jj : d.neighbours.of(static_cast<Index>(i)))
     {
       const auto j = static_cast<std::size_t>(jj), j0 = static_cast<std::size_t>(source[j]);
       const double dx = x[i] - x[j], dy = y[i] - y[j], r = std::hypot(dx, dy);
-      const double c_j = std::sqrt(moduli(j0).M() / particles.density[j0]);
+      const double c_j = viscous_speed(j0);
       d.G.push_back(weighted_gradient(W, dx, dy, V[j]));
       d.viscosity.push_back(-alpha * 0.5 * (c_i + c_j) * d.h * r /
                             (W.dW(r) * V[j] * (r * r + 0.01 * d.h * d.h)));
