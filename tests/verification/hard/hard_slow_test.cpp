@@ -36,4 +36,27 @@ TEST(HardSlow, FactorHasAVerdictFromSixToSixtyParticlesOverTheHeight)
     EXPECT_GE(F[k], F[k - 1] - 0.02); // to within the bracket
   }
 }
+
+// F does not depend on elasticity, so neither on that of layers. 2 %: brackets of 0.02 around 1.5.
+TEST(HardSlow, LayersOfVeryDifferentStiffnessHaveTheFactorOfOne)
+{
+  for (const double ratio : {1e2, 1e4})
+    for (const bool stiff_over_soft : {true, false})
+    {
+      sph::Soil soft = tests::soil(20, 15, 20);
+      soft.young_modulus = 1e7;
+      sph::Soil stiff = soft;
+      stiff.young_modulus *= ratio;
+      Case c = tests::slope({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, 0, soft, 1);
+      const double uniform = *reduce(c).factor();
+      c.soils.push_back(c.soils[0]);
+      c.soils[stiff_over_soft ? 0 : 1].mechanical = stiff;
+      c.section.zones = {{.soil = 1, .polygon = {{0, 0}, {44, 0}, {44, 5}, {0, 5}}}};
+      const sph::FactorOfSafety F = reduce(c);
+      ASSERT_TRUE(F.complete) << ratio << F.reason;
+      EXPECT_NEAR(*F.factor() / uniform, 1, 0.02);
+      std::printf("E ratio %.0e, %s: F = %.3f, uniform %.3f\n", ratio,
+                  stiff_over_soft ? "stiff over soft" : "soft over stiff", *F.factor(), uniform);
+    }
+}
 } // namespace berm::coupling
