@@ -80,8 +80,8 @@ OtherTerms run_out_with(const Case& c, double factor, const sph::UpdatedLagrangi
 }
 } // namespace
 
-// It slows down by a factor e every 10 s and rests after 60 to 70 s, later than the usual 40
-// sqrt(H/g) = 50 s.
+// It slows down by a factor e every 10 s and rests from 51 s on, which is seen after the usual
+// 40 sqrt(H/g) = 50 s.
 TEST(HardRunOut, CohesionlessSlopeComesToRest)
 {
   const RunOut r = sound_run_out(cohesionless(1), 2.2, 100);
