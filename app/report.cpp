@@ -149,6 +149,11 @@ void add_stability(Page& page, const coupling::Stability& s, bool searched)
 {
   page.heading("Stability");
   page.row("factor of safety", searched ? factor_text(s.factor_of_safety) : "not asked for");
+  if (s.coarse && s.factor_of_safety.factor())
+    page.row("spacing",
+             fmt::format("at {:g} m F = {:.3f}: halving the spacing changed it by {:+.3f}",
+                         s.coarse->spacing, s.coarse->factor(),
+                         *s.factor_of_safety.factor() - s.coarse->factor()));
   if (s.factor_of_safety.fails)
     add_mechanism(page, s.mechanism);
   add_critical_circle(page, s.critical_circle);

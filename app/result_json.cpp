@@ -128,6 +128,18 @@ Json history_json(const std::vector<sph::TrialWindow>& history)
   return {{"time_s", time}, {"velocity_measure", velocity}, {"max_displacement_m", displacement}};
 }
 
+Json coarse_json(const std::optional<coupling::CoarseFactor>& coarse,
+                 const sph::FactorOfSafety& factor)
+{
+  if (!coarse)
+    return nullptr;
+  return {{"spacing_m", coarse->spacing},
+          {"factor", coarse->factor()},
+          {"stands", coarse->stands},
+          {"fails", coarse->fails},
+          {"change", factor.factor() ? Json(*factor.factor() - coarse->factor()) : Json(nullptr)}};
+}
+
 Json stability_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const coupling::Stability& s = *analysis.stability;
@@ -167,6 +179,7 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
           {"side", s.mechanism ? Json(s.mechanism->side) : Json(nullptr)},
           {"mechanism", mechanism_json(s.mechanism)},
           {"limit_equilibrium", circle_json(s.critical_circle)},
+          {"coarse", coarse_json(s.coarse, factor)},
           {"trials", trials},
           {"seconds", seconds({wall, cpu})}};
 }
@@ -272,8 +285,8 @@ std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& an
 {
   double cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)
-    if (stage.stage == "settling" || stage.stage == "strength reduction" ||
-        stage.stage == "run-out")
+    if (stage.stage == "settling" || stage.stage == "coarse search" ||
+        stage.stage == "strength reduction" || stage.stage == "run-out")
       cpu += stage.seconds.cpu;
   if (!analysis.stability || analysis.stability->particle_steps <= 0 || cpu <= 0)
     return std::nullopt;

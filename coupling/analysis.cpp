@@ -104,15 +104,75 @@ sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
 #endif
 }
 
-/// Saturated where there is water in the pores.
-void set_density(sph::Particles& particles, const std::vector<sph::Soil>& soils,
-                 const std::vector<double>& p_w)
+/// With the water in the pores.
+sph::Particles saturated(sph::Particles particles, const std::vector<sph::Soil>& soils,
+                         const PorePressure& pressure)
 {
+  const std::vector<double> p_w = pressure(particles.x, particles.y);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const sph::Soil& soil = soils[static_cast<std::size_t>(particles.soil[i])];
     particles.density[i] = p_w[i] > 0 ? soil.saturated_density : soil.density;
   }
+  return particles;
+}
+
+/// @throws InputError if the packing would lie.
+sph::Discretisation discretise(const sph::Particles& particles, const std::vector<sph::Soil>& soils,
+                               const std::vector<double>& p_w, const meshes::Section& section)
+{
+  sph::Discretisation d = sph::discretise(particles, soils, p_w, section);
+  sph::require_sound_packing(sph::measure_packing(particles, d, section), particles);
+  return d;
+}
+
+sph::FactorOfSafety factor_of_safety(const sph::SoilModel& model, const sph::State& settled,
+                                     const std::vector<sph::Soil>& soils, const Case& input,
+                                     Observer& observer)
+{
+  const auto trial = [&](double factor, Observer& trial_observer)
+  {
+    return sph::run_trial(model, settled, sph::reduced_cones(soils, factor, input.sph.cone), factor,
+                          trial_observer);
+  };
+  return sph::reduce_strength(trial, input.search, observer);
+}
+
+/// Of settling and all trials.
+double particle_steps(const sph::Settled& settled, const sph::FactorOfSafety& factor,
+                      std::size_t particles)
+{
+  double steps = static_cast<double>(settled.steps);
+  for (const sph::Trial& t : factor.trials)
+    steps += static_cast<double>(t.steps);
+  return steps * static_cast<double>(particles);
+}
+
+constexpr std::size_t worth_a_coarse_search = 6000; // particles; below, all of it takes a second
+
+/// Nothing where the section is too coarse for it, or where the search found no answer.
+std::optional<CoarseFactor> coarse_factor(const Case& input, const meshes::Section& section,
+                                          const std::vector<sph::Soil>& soils,
+                                          const PorePressure& p_w, Observer& observer)
+try
+{
+  SphSettings settings = input.sph;
+  settings.spacing *= 2;
+  const sph::Particles particles = saturated(fill(section, settings), soils, p_w);
+  const sph::Discretisation body =
+      discretise(particles, soils, p_w(particles.x, particles.y), section);
+  const sph::Settled settled = sph::settle(body, observer);
+  const sph::FactorOfSafety F = factor_of_safety(body, settled.state, soils, input, observer);
+  if (!F.complete)
+    return std::nullopt;
+  return CoarseFactor{.spacing = settings.spacing,
+                      .stands = F.stands.value(),
+                      .fails = F.fails.value(),
+                      .particle_steps = particle_steps(settled, F, particles.size())};
+}
+catch (const InputError&) // its packing is refused
+{
+  return std::nullopt;
 }
 
 /// The critical circle on the side to which the slope fails; on the weaker side if that is not
@@ -209,14 +269,9 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
       timed(analysis, observer, "particles",
             [&]
             {
-              stability.particles = fill(section, input.sph);
+              stability.particles = saturated(fill(section, input.sph), soils, p_w);
               stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
-              set_density(stability.particles, soils, stability.pore_pressure);
-              sph::Discretisation d =
-                  sph::discretise(stability.particles, soils, stability.pore_pressure, section);
-              sph::require_sound_packing(sph::measure_packing(stability.particles, d, section),
-                                         stability.particles);
-              return d;
+              return discretise(stability.particles, soils, stability.pore_pressure, section);
             });
 
   std::optional<sph::MovingBody> moving;
@@ -236,21 +291,20 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
   if (!moving) // without gradient correction every packing settles too far
     sph::require_sound_settlement(settled.settlement, body, stability.particles);
 
-  const auto trial = [&](double factor, Observer& trial_observer)
-  {
-    return sph::run_trial(model, settled.state, sph::reduced_cones(soils, factor, input.sph.cone),
-                          factor, trial_observer);
-  };
+  if (input.stability && !moving && stability.particles.size() >= worth_a_coarse_search)
+    stability.coarse = timed(analysis, observer, "coarse search",
+                             [&] { return coarse_factor(input, section, soils, p_w, observer); });
+  if (stability.coarse)
+    input.search.guess = stability.coarse->factor();
   if (input.stability)
     stability.factor_of_safety =
         timed(analysis, observer, "strength reduction",
-              [&] { return sph::reduce_strength(trial, input.search, observer); });
+              [&] { return factor_of_safety(model, settled.state, soils, input, observer); });
   analysis.interrupted = observer.stop_requested();
 
-  double steps = static_cast<double>(settled.steps);
-  for (const sph::Trial& t : stability.factor_of_safety.trials)
-    steps += static_cast<double>(t.steps);
-  stability.particle_steps = steps * static_cast<double>(stability.particles.size());
+  stability.particle_steps =
+      particle_steps(settled, stability.factor_of_safety, stability.particles.size()) +
+      (stability.coarse ? stability.coarse->particle_steps : 0);
   if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
     stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
   if (input.stability && !analysis.interrupted)

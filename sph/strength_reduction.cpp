@@ -45,16 +45,23 @@ public:
   {
     // The ends of the range are guesses: bisect between them, try an end only when it is reached.
     double lower = settings_.lower, upper = settings_.upper;
+    if (settings_.guess)
+    {
+      lower = *settings_.guess - reach();
+      upper = *settings_.guess + reach();
+    }
     while (answer_.reason.empty())
     {
       lower = answer_.stands.value_or(lower);
       upper = answer_.fails.value_or(upper);
-      if (upper - lower > 2 * settings_.tolerance)
+      const bool wide = upper - lower > 2 * settings_.tolerance;
+      const bool known = answer_.stands && answer_.fails;
+      if (wide && (known || !settings_.guess))
         bisect(lower, upper);
       else if (!answer_.stands)
-        lower = widen(lower, [&](double F) { return std::max(F / 1.5, settings_.min_factor); });
+        lower = widen(lower, [&](double F) { return std::max(below(F), settings_.min_factor); });
       else if (!answer_.fails)
-        upper = widen(upper, [&](double F) { return std::min(F * 1.5, settings_.max_factor); });
+        upper = widen(upper, [&](double F) { return std::min(above(F), settings_.max_factor); });
       else
       {
         answer_.complete = true;
@@ -65,6 +72,19 @@ public:
   }
 
 private:
+  /// The tolerance, but for rounding: brackets of twice this are no wider than asked.
+  [[nodiscard]] double reach() const { return settings_.tolerance * (1 - 1e-9); }
+
+  /// Where to look next beyond an end that contradicted its name: near a guess in steps that
+  /// double.
+  double below(double F) { return settings_.guess ? F - next_stride() : F / 1.5; }
+  double above(double F) { return settings_.guess ? F + next_stride() : F * 1.5; }
+  double next_stride()
+  {
+    stride_ = stride_ > 0 ? 2 * stride_ : 2 * reach();
+    return stride_;
+  }
+
   void bisect(double lower, double upper)
   {
     const double middle = 0.5 * (lower + upper);
@@ -132,6 +152,7 @@ private:
   const SearchSettings& settings_;
   Observer& observer_;
   FactorOfSafety answer_;
+  double stride_ = 0;
 };
 
 const Trial* find_trial(const std::vector<Trial>& trials, std::optional<double> factor)

@@ -52,6 +52,8 @@ struct SearchSettings
   double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
   double tolerance = 0.01;                   ///< half the width of the bracket
   double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
+  /// Tried first: the tolerance to either side of it, then ever farther out.
+  std::optional<double> guess = std::nullopt;
 };
 
 /// The answer of a search: a bracket whose ends were both tried.

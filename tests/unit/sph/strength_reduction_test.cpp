@@ -49,6 +49,25 @@ TEST(StrengthReduction, BracketsAnyFactorInsideAndOutsideItsRange)
   }
 }
 
+TEST(StrengthReduction, AGoodGuessNeedsTwoTrialsAndABadOneCostsTimeOnly)
+{
+  const auto trials = [](double critical, double guess)
+  {
+    const FactorOfSafety F = search(fake_soil(critical), {.tolerance = 0.01, .guess = guess});
+    EXPECT_TRUE(F.complete) << F.reason;
+    EXPECT_LE(*F.stands, critical);
+    EXPECT_GE(*F.fails, critical);
+    EXPECT_LE(*F.fails - *F.stands, 0.02);
+    return F.trials.size();
+  };
+  EXPECT_EQ(trials(1.605, 1.6), 2u);
+  EXPECT_EQ(trials(1.58, 1.6), 2u); // both below the guess: the upper end was tried as the lower
+  EXPECT_EQ(trials(1.62, 1.6), 3u);
+  // Strides of 0.02 that double until they pass the answer, then bisection of the last.
+  EXPECT_LE(trials(2.5, 1.6), 2 + 2 * std::ceil(std::log2(1 + 0.9 / 0.02)));
+  EXPECT_LE(trials(0.2, 1.6), 2 + 2 * std::ceil(std::log2(1 + 1.4 / 0.02)));
+}
+
 TEST(StrengthReduction, BothEndsOfTheBracketWereTried)
 {
   const FactorOfSafety F = search(fake_soil(0.503));
