@@ -196,9 +196,12 @@ void add_run_out(Page& page, const coupling::RunOut& r, const meshes::Section& s
                                 shape.max_displacement));
   const sph::Energies &first = r.motion.history.front().energies,
                       &last = r.motion.history.back().energies;
-  page.row("energy", fmt::format("{:.3g} kJ per m dissipated; the balance is off by {:.2g} kJ",
-                                 (last.plastic + last.viscous + last.damping) / 1e3,
-                                 (last.total() - first.total()) / 1e3));
+  const double dissipated = last.plastic + last.viscous + last.damping;
+  page.row("energy",
+           fmt::format("{:.3g} kJ per m dissipated, {:.1f} % of it by artificial viscosity; the "
+                       "balance is off by {:.2g} kJ",
+                       dissipated / 1e3, dissipated > 0 ? 100 * last.viscous / dissipated : 0.0,
+                       (last.total() - first.total()) / 1e3));
   page.row("frames", fmt::format("{}; {} steps", r.motion.history.size(), r.motion.steps));
 }
 
