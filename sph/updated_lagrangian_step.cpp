@@ -137,7 +137,7 @@ double UpdatedLagrangian::update_stress(Index ii)
   L = at_middle(L, dt_before_);
   self.viscous_x = sum(f_x);
   self.viscous_y = sum(f_y);
-  self.density = matter[1] * (1 - dt_before_ * (L.xx + L.yy));
+  double expansion = dt_before_ * (L.xx + L.yy);
 
   // Step 3: trial stress, return to the cone, and the energy that it dissipates.
   const auto soil = static_cast<std::size_t>(self.soil);
@@ -150,12 +150,14 @@ double UpdatedLagrangian::update_stress(Index ii)
     const Returned returned = return_to_cone(trial, cones_[soil], e);
     self.sig = returned.sig;
     self.plastic_strain += returned.plastic_strain;
-    self.density += matter[1] * returned.gap; // a gap is no looser soil
+    expansion -= returned.gap; // a gap is no looser soil
     // Work of the mean stress on the plastic strain: what the forces of both ends of the step lose.
     const SymTensor plastic_stress = trial + (-1.0) * returned.sig;
-    self.plastic += 0.5 * matter[0] / self.density *
+    self.plastic += 0.5 * matter[0] / matter[1] *
                     strain_energy_product(turned + returned.sig, plastic_stress, e);
   }
+  // To second order, so that soil that shakes keeps its density.
+  self.density = matter[1] * (1 - 0.5 * expansion) / (1 + 0.5 * expansion);
   store_force(i, B);
 
   const double speed = std::sqrt(motion[2] * motion[2] + motion[3] * motion[3]);
@@ -252,9 +254,10 @@ double UpdatedLagrangian::update_motion(Index ii)
   vy += dt_ * ay;
   x += dt_ * vx;
   y += dt_ * vy;
-  const double before = vx * vx + vy * vy;
+  const double free_x = vx, free_y = vy;
   stop_at_walls(i, x, y, vx, vy);
-  self.damping += 0.5 * mass * (before - vx * vx - vy * vy);
+  self.damping +=
+      0.5 * mass * ((free_x - vx) * (p.motion[2] + vx) + (free_y - vy) * (p.motion[3] + vy));
 
   p.motion = Lanes{x, y, vx, vy};
   p.matter = Lanes{mass, self.density, 1 / self.density, p.matter[3]};

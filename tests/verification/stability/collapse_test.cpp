@@ -87,27 +87,39 @@ TEST(Collapse, CohesiveSoilSlidesInOnePieceAndComesToRest)
     }
 }
 
+/// Between the landing and the next one only hard contact and viscosity act, and both are counted:
+/// the balance must not move by 1 % (0.5 % as measured, most of it with the finer particles).
 TEST(Collapse, AFallingBlockStaysAboveTheFloor)
 {
   Soil stiff = rods();
   stiff.cohesion = 20e3;
   for (const double dx : {0.01, 0.005})
-  {
-    MovingBody body = column(stiff, 0.2, 0.1, dx, {.geostatic_base = false});
-    for (double& y : body.particles.y)
-      y += 0.5; // lands at 3.1 m/s, a seventh of the wave speed
-    body.walls.left.reset();
-    UpdatedLagrangian soil = solver(body, stiff);
-    const double start = soil.energies().potential;
-    for (int k = 0; k < 30; ++k)
+    for (const bool corrected : {false, true})
     {
-      soil.advance_for(0.03);
-      const State s = soil.state();
-      ASSERT_GT(*std::min_element(s.y.begin(), s.y.end()), 0) << dx;
-      ASSERT_GT(soil.closest_pair(), 0.2 * dx);
-      const Energies e = soil.energies();
-      ASSERT_LT(e.kinetic + e.elastic + e.potential, start * 1.01);
+      MovingBody body =
+          column(stiff, 0.2, 0.1, dx, {.gradient_correction = corrected, .geostatic_base = false});
+      for (double& y : body.particles.y)
+        y += 0.5; // lands at 3.1 m/s, a seventh of the wave speed
+      body.walls.left.reset();
+      UpdatedLagrangian soil = solver(body, stiff);
+      const double start = soil.energies().potential;
+      double landed = 0;
+      for (int k = 1; k <= 30; ++k)
+      {
+        soil.advance_for(0.03);
+        const State s = soil.state();
+        ASSERT_GT(*std::min_element(s.y.begin(), s.y.end()), 0) << dx;
+        ASSERT_GT(soil.closest_pair(), 0.2 * dx);
+        ASSERT_GT(*std::min_element(s.density.begin(), s.density.end()), 0.5 * stiff.density);
+        const Energies e = soil.energies();
+        ASSERT_LT(e.kinetic + e.elastic + e.potential, start * 1.01);
+        if (k == 13)
+          landed = e.total();
+        if (k == 19)
+        {
+          EXPECT_NEAR(e.total(), landed, 0.01 * start) << dx << corrected;
+        }
+      }
     }
-  }
 }
 } // namespace berm::sph
