@@ -32,6 +32,9 @@ private:
   std::string text_;
 };
 
+/// Of the range: once the answer is nearer than this to an end that is only guessed, it is tried.
+constexpr double doubtful = 0.13; // three bisections on one side
+
 /// The search: trials so far, and the bracket that they give.
 class Search
 {
@@ -43,25 +46,34 @@ public:
 
   FactorOfSafety run()
   {
-    // The ends of the range are guesses: bisect between them, try an end only when it is reached.
+    // The ends of the range are guesses: bisect between them, try an end only when the answer seems
+    // to lie near it or beyond.
     double lower = settings_.lower, upper = settings_.upper;
     if (settings_.guess)
     {
       lower = *settings_.guess - reach();
       upper = *settings_.guess + reach();
     }
+    double range = upper - lower;
     while (answer_.reason.empty())
     {
       lower = answer_.stands.value_or(lower);
       upper = answer_.fails.value_or(upper);
       const bool wide = upper - lower > 2 * settings_.tolerance;
       const bool known = answer_.stands && answer_.fails;
-      if (wide && (known || !settings_.guess))
+      const bool doubted = settings_.guess || upper - lower <= doubtful * range;
+      if (wide && (known || !doubted))
         bisect(lower, upper);
       else if (!answer_.stands)
+      {
         lower = widen(lower, [&](double F) { return std::max(below(F), settings_.min_factor); });
+        range = upper - lower;
+      }
       else if (!answer_.fails)
+      {
         upper = widen(upper, [&](double F) { return std::min(above(F), settings_.max_factor); });
+        range = upper - lower;
+      }
       else
       {
         answer_.complete = true;

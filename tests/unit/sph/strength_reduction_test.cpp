@@ -84,6 +84,15 @@ TEST(StrengthReduction, TakesNoMoreTrialsThanBisectionNeeds)
   EXPECT_EQ(F.trials.size(), 7u); // 2 / 2^7 = 0.0156 < 0.02
 }
 
+TEST(StrengthReduction, ReachesAFactorFarOutsideItsRangeInAFewTrialsForEachStep)
+{
+  const FactorOfSafety F = search(fake_soil(34.5), {.max_factor = 100});
+  ASSERT_TRUE(F.complete) << F.reason;
+  // From 3 to 34.5 in steps of 1.5: seven ends with three bisections before each, then
+  // log2(12 / 0.02) = 10 more.
+  EXPECT_LE(F.trials.size(), 4u * 7u + 10u);
+}
+
 TEST(StrengthReduction, KeepsOnlyTheStatesOfTheBracket)
 {
   const FactorOfSafety F = search(fake_soil(1.63));
