@@ -22,7 +22,8 @@ double sign(double v)
 void UpdatedLagrangian::store_force(std::size_t i, const SymTensor& B)
 {
   const Self& self = self_[i];
-  const double inv_rho2 = 1 / (self.density * self.density);
+  // With the correction, eq. (9.4) has 1 / (rho_i rho_j), which the sums over pairs bring along.
+  const double inv_rho2 = set_.gradient_correction ? 1 : 1 / (self.density * self.density);
   const auto store =
       [&](std::size_t to, SymTensor s, const SymTensor& R, double sign_B, double sign_R)
   {
@@ -99,9 +100,11 @@ double UpdatedLagrangian::update_stress(Index ii)
     const Lanes u = max(two - q, zero), w = max(one - q, zero);
     const Lanes g = m_j * norm * (3 * w * w - 0.75 * u * u) / r;
     const Lanes gx = g * dx, gy = g * dy;
-    row.pairs[b] = {gx, gy, q};
-
     const Lanes Vgx = inv_rho_j * gx, Vgy = inv_rho_j * gy;
+    if constexpr (corrected)
+      row.pairs[b] = {Vgx, Vgy, q};
+    else
+      row.pairs[b] = {gx, gy, q};
     L_xx += dvx * Vgx;
     L_xy += dvx * Vgy;
     L_yx += dvy * Vgx;
@@ -234,8 +237,9 @@ double UpdatedLagrangian::update_motion(Index ii)
 
   Self& self = self_[i];
   Point& p = point_[i];
-  double ax = sum(a_x) + r_x + self.viscous_x + self.push_x + shake_;
-  double ay = sum(a_y) + r_y + self.viscous_y + self.push_y - set_.gravity;
+  const double inv_rho = set_.gradient_correction ? p.matter[2] : 1;
+  double ax = inv_rho * (sum(a_x) + r_x) + self.viscous_x + self.push_x + shake_;
+  double ay = inv_rho * (sum(a_y) + r_y) + self.viscous_y + self.push_y - set_.gravity;
 
   // Step 2: local damping, eq. (3.8).
   double x = p.motion[0], y = p.motion[1], vx = p.motion[2], vy = p.motion[3];
