@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 
 /// Four doubles side by side, in the compiler's generic vectors.
 namespace berm::sph
@@ -11,6 +12,14 @@ using Lanes = double __attribute__((vector_size(32)));
 [[nodiscard]] inline Lanes splat(double v)
 {
   return Lanes{v, v, v, v};
+}
+/// Four values from memory, aligned or not.
+template <class Four>
+[[nodiscard]] inline Four load(const void* from)
+{
+  Four v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
 }
 [[nodiscard]] inline double sum(const Lanes& v)
 {

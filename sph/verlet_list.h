@@ -37,6 +37,12 @@ public:
   /// @param[in] x, y  Positions [m], shape (points) each.
   void build(std::span<const double> x, std::span<const double> y, Index n, double radius);
 
+  /// @brief How much nearer any two points farther apart than `radius` have come since build().
+  /// A bound, from a box around the ways of each cell's points: soil that moves as one comes no
+  /// nearer. Points more than two cells apart are left out. Cost O(points), a fifth of build().
+  /// @param[in] x, y  Where the points of build() are now [m].
+  [[nodiscard]] double closing(std::span<const double> x, std::span<const double> y);
+
   [[nodiscard]] Row row(Index i)
   {
     Chunk& c = chunks_[static_cast<std::size_t>(i / chunk_size)];
@@ -53,8 +59,15 @@ private:
     std::vector<Index> begin; ///< first block of each row, shape (chunk_size + 1)
   };
 
+  [[nodiscard]] Index begin_of(Index cell) const
+  {
+    return cell_begin_[static_cast<std::size_t>(cell)];
+  }
+
   std::vector<Chunk> chunks_;
+  Index nx_ = 0, ny_ = 0; ///< cells
   std::vector<Index> cell_begin_, sorted_, cell_;
+  std::vector<Lanes> box_;    ///< of each cell's ways: -min x, -min y, max x, max y [m]
   std::vector<double> x_, y_; ///< in the order of the cells
 };
 

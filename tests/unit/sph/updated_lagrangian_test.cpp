@@ -293,4 +293,46 @@ TEST(VerletList, HoldsWhatBruteForceFinds)
     EXPECT_EQ(found, expected);
   }
 }
+
+/// No pair that was farther apart than the radius is now nearer than the radius less the bound;
+/// soil that moves as one comes no nearer.
+TEST(VerletList, BoundsHowMuchNearerOtherPairsHaveCome)
+{
+  const double radius = 0.2;
+  std::mt19937_64 engine(3);
+  const auto random = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  std::vector<double> x, y;
+  for (int k = 0; k < 500; ++k)
+  {
+    x.push_back(3 * random());
+    y.push_back(random());
+  }
+  VerletList list;
+  list.build(x, y, 500, radius);
+  for (const double noise : {0.0, 0.01, 0.05})
+    for (const double shear : {0.0, 0.05})
+    {
+      std::vector<double> x_now = x, y_now = y;
+      for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        x_now[i] += 0.1 + shear * y[i] + noise * random();
+        y_now[i] += 0.1 + shear * x[i] + noise * random();
+      }
+      double most = 0;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+        {
+          const double before = std::hypot(x[i] - x[j], y[i] - y[j]);
+          const double now = std::hypot(x_now[i] - x_now[j], y_now[i] - y_now[j]);
+          if (before > radius)
+            most = std::max(most, radius - now);
+        }
+      const double bound = list.closing(x_now, y_now);
+      EXPECT_GE(bound, most);
+      if (noise == 0 && shear == 0)
+      {
+        EXPECT_LT(bound, 1e-14); // rounding of coordinates up to 3
+      }
+    }
+}
 } // namespace berm::sph
