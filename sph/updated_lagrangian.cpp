@@ -17,9 +17,11 @@ namespace berm::sph
 {
 namespace
 {
-constexpr double smoothing_ratio = 1.2; // h / dx
-constexpr double skin_ratio = 0.2;      // of the Verlet list, over h
-constexpr long rebuilds_between_sorts = 20;
+constexpr double smoothing_ratio = 1.2;   // h / dx
+constexpr double skin_ratio = 0.25;       // of the Verlet list, over h
+constexpr double longest_way_ratio = 0.5; // over h: after it the list is made again
+constexpr double least_slack = 0.25;      // over the skin: with less, another look does not pay
+constexpr long rebuilds_between_sorts = 5;
 } // namespace
 
 UpdatedLagrangianSettings paper_settings()
@@ -111,16 +113,22 @@ void UpdatedLagrangian::sort_particles()
   point_.swap(point);
 }
 
+void UpdatedLagrangian::read_positions()
+{
+  x_.resize(point_.size());
+  y_.resize(point_.size());
+  for (std::size_t i = 0; i < x_.size(); ++i)
+  {
+    x_[i] = point_[i].motion[0];
+    y_[i] = point_[i].motion[1];
+  }
+}
+
 void UpdatedLagrangian::make_ghosts(double reach)
 {
   const auto n = self_.size();
-  std::vector<double> x(n), y(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    x[i] = point_[i].motion[0];
-    y[i] = point_[i].motion[1];
-  }
-  ghost_ = moving_ghosts(body_.walls, x, y, reach);
+  read_positions();
+  ghost_ = moving_ghosts(body_.walls, x_, y_, reach);
   ghost_begin_.assign(n + 1, 0);
   for (const MovingGhost& g : ghost_)
     ++ghost_begin_[static_cast<std::size_t>(g.source) + 1];
@@ -128,10 +136,29 @@ void UpdatedLagrangian::make_ghosts(double reach)
     ghost_begin_[i + 1] += ghost_begin_[i];
 
   point_.resize(n + ghost_.size());
-  force_.assign(n + ghost_.size(), Force{});
-  repels_.assign(n + ghost_.size(), 0);
+  force_.resize(n + ghost_.size());
+  repels_.resize(n + ghost_.size());
   for (std::size_t i = 0; i < n; ++i)
     store_ghost_motion(i);
+}
+
+double UpdatedLagrangian::longest_way() const
+{
+  return std::min(longest_way_ratio * h_, 1.2 * h_ / stretch_);
+}
+
+bool UpdatedLagrangian::list_holds()
+{
+  // Whatever moves, two points come nearer by at most twice the longest way. When that no longer
+  // says enough, the boxes of the cells are looked at.
+  if (2 * stretch_ * (way_ - way_checked_) <= slack_)
+    return true;
+  const Stopwatch watch;
+  read_positions();
+  slack_ = std::min(skin_ - list_.closing(x_, y_), 2 * stretch_ * (longest_way() - way_));
+  way_checked_ = way_;
+  search_seconds_ += watch.elapsed().cpu;
+  return slack_ > least_slack * skin_;
 }
 
 void UpdatedLagrangian::rebuild()
@@ -142,30 +169,26 @@ void UpdatedLagrangian::rebuild()
   point_.resize(n);
   if (rebuilds_ % rebuilds_between_sorts == 0)
     sort_particles();
-  const double radius = 2 * h_ + skin_;
-  make_ghosts(stretch_ * radius);
-  std::vector<double> x(point_.size()), y(point_.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    x[i] = point_[i].motion[0];
-    y[i] = point_[i].motion[1];
-  }
-  list_.build(x, y, n_, radius);
+  make_ghosts(stretch_ * (2 * h_ + longest_way()));
+  read_positions();
+  list_.build(x_, y_, n_, 2 * h_ + skin_);
   for (std::size_t i = 0; i < n; ++i)
   {
-    self_[i].x_list = x[i];
-    self_[i].y_list = y[i];
+    self_[i].x_list = x_[i];
+    self_[i].y_list = y_[i];
   }
-  moved2_ = 0;
+  way_ = way_checked_ = 0;
+  slack_ = skin_;
   ++rebuilds_;
+  search_seconds_ += watch.elapsed().cpu;
   update_push();
-  rebuild_seconds_ += watch.elapsed().wall;
 }
 
 void UpdatedLagrangian::update_push()
 {
   if (body_.pore_pressure.empty() && !body_.reread_pressure)
     return;
+  const Stopwatch watch;
   const auto n = self_.size();
   if (body_.reread_pressure)
   {
@@ -181,48 +204,58 @@ void UpdatedLagrangian::update_push()
       self.p_w = p_w[static_cast<std::size_t>(self.original)];
   }
 
+  p_w_.resize(point_.size());
+  for (std::size_t i = 0; i < n; ++i)
+    p_w_[i] = self_[i].p_w;
+  for (std::size_t k = 0; k < ghost_.size(); ++k)
+  {
+    const auto source = static_cast<std::size_t>(ghost_[k].source);
+    double& p_w = p_w_[n + k] = p_w_[source];
+    if (ghost_[k].sign_y < 0 && p_w > 0)
+      p_w += water_unit_weight * (point_[source].motion[1] - point_[n + k].motion[1]);
+  }
+
   // a_i = -(1/rho_i) sum_j V_j (p_j - p_i) grad_i W_ij: eq. (9.5). With the correction, over the
   // particles alone, as in eq. (3.6); without it, with the images, where the given field goes on
   // hydrostatically behind the base.
-  const CubicSpline W{h_};
+  const Index most = set_.pressure_correction ? n_ : static_cast<Index>(point_.size());
+  const double norm = 10 / (7 * pi * h_ * h_ * h_), inv_h = 1 / h_;
 #pragma omp parallel for schedule(static)
   for (Index ii = 0; ii < n_; ++ii)
   {
     const auto i = static_cast<std::size_t>(ii);
-    const Lanes at = point_[i].motion;
+    const Lanes x_i = splat(point_[i].motion[0]), y_i = splat(point_[i].motion[1]);
+    const Lanes p_i = splat(p_w_[i]), zero = splat(0);
     const VerletList::Row row = list_.row(ii);
-    double sx = 0, sy = 0, xx = 0, xy = 0, yy = 0;
-    for (Index k = 0; k < 4 * row.blocks; ++k)
+    Lanes sx = zero, sy = zero, xx = zero, xy = zero, yy = zero;
+    for (Index b = 0; b < row.blocks; ++b)
     {
-      const Index jj = row.index[k];
-      if (jj == ii || (set_.pressure_correction && jj >= n_))
-        continue;
-      const Point& p_j = point_[static_cast<std::size_t>(jj)];
-      const double dx = at[0] - p_j.motion[0], dy = at[1] - p_j.motion[1];
-      const double r = std::hypot(dx, dy);
-      const double g = p_j.matter[0] * p_j.matter[2] * W.dW(r) / r;
-      double p_w = 0;
-      if (jj < n_)
-        p_w = self_[static_cast<std::size_t>(jj)].p_w;
-      else
+      Lanes x_j, y_j, V_j, p_j;
+      for (int l = 0; l < 4; ++l)
       {
-        const MovingGhost& ghost = ghost_[static_cast<std::size_t>(jj - n_)];
-        const auto source = static_cast<std::size_t>(ghost.source);
-        p_w = self_[source].p_w;
-        if (ghost.sign_y < 0 && p_w > 0)
-          p_w += water_unit_weight * (point_[source].motion[1] - p_j.motion[1]);
+        const Index j = row.index[4 * b + l];
+        const Point& p = point_[static_cast<std::size_t>(j)];
+        x_j[l] = p.motion[0];
+        y_j[l] = p.motion[1];
+        V_j[l] = j < most ? p.matter[0] * p.matter[2] : 0;
+        p_j[l] = p_w_[static_cast<std::size_t>(j)];
       }
-      sx += (p_w - self_[i].p_w) * g * dx;
-      sy += (p_w - self_[i].p_w) * g * dy;
+      const Lanes dx = x_i - x_j, dy = y_i - y_j;
+      const Lanes r = sqrt(dx * dx + dy * dy + 1e-24 * h_ * h_), q = r * inv_h;
+      const Lanes u = max(2 - q, zero), w = max(1 - q, zero);
+      const Lanes g = V_j * norm * (3 * w * w - 0.75 * u * u) / r; // V_j W' / r: eq. (3.1)
+      sx += (p_j - p_i) * g * dx;
+      sy += (p_j - p_i) * g * dy;
       xx -= g * dx * dx;
       xy -= g * dx * dy;
       yy -= g * dy * dy;
     }
-    const SymTensor B =
-        set_.pressure_correction ? bounded_inverse(xx, xy, yy) : SymTensor{1, 1, 0, 0};
-    self_[i].push_x = -(B.xx * sx + B.xy * sy) * point_[i].matter[2];
-    self_[i].push_y = -(B.xy * sx + B.yy * sy) * point_[i].matter[2];
+    const SymTensor B = set_.pressure_correction ? bounded_inverse(sum(xx), sum(xy), sum(yy))
+                                                 : SymTensor{1, 1, 0, 0};
+    self_[i].push_x = -(B.xx * sum(sx) + B.xy * sum(sy)) * point_[i].matter[2];
+    self_[i].push_y = -(B.xy * sum(sx) + B.yy * sum(sy)) * point_[i].matter[2];
   }
+  push_seconds_ += watch.elapsed().cpu;
 }
 
 double UpdatedLagrangian::v_rms() const

@@ -107,7 +107,9 @@ public:
   /// Smallest distance between two particles [m]. Cost O(n), for checks.
   [[nodiscard]] double closest_pair();
   [[nodiscard]] long rebuilds() const { return rebuilds_; }
-  [[nodiscard]] double rebuild_seconds() const { return rebuild_seconds_; }
+  /// Processor time so far [s] of the search (ghosts, sort, list) and of the pore pressure's push.
+  [[nodiscard]] double search_seconds() const { return search_seconds_; }
+  [[nodiscard]] double push_seconds() const { return push_seconds_; }
 
   [[nodiscard]] std::vector<double> pore_pressure() const; ///< as last read [Pa], shape (n)
 
@@ -145,6 +147,9 @@ private:
 
   void step();
   void rebuild();
+  [[nodiscard]] bool list_holds(); ///< whether it has all pairs within 2 h, for the next step
+  [[nodiscard]] double longest_way() const; ///< that a particle may go on one list [m]
+  void read_positions();                    ///< of particles and ghosts, to x_ and y_
   void sort_particles();
   void make_ghosts(double reach);
   void update_push();                        ///< acceleration by pore pressure
@@ -152,7 +157,7 @@ private:
   template <bool corrected>
   double update_stress(Index i); ///< returns the particle's rate for eq. (9.9) [m/s]
   template <bool with_repulsion>
-  double update_motion(Index i); ///< returns the squared way since the list was made [m2]
+  double update_motion(Index i); ///< returns the squared way of the step [m2]
   void stop_at_walls(std::size_t i, double& x, double& y, double& vx, double& vy) const;
   void store_ghost_motion(std::size_t i);
   void store_force(std::size_t i, const SymTensor& B);
@@ -161,17 +166,21 @@ private:
   const UpdatedLagrangianSettings& set_;
   std::vector<Cone> cones_;
   Index n_;
-  double h_, skin_, dt_ = 0, dt_before_ = 0, time_ = 0, moved2_ = 0;
+  double h_, skin_, dt_ = 0, dt_before_ = 0, time_ = 0;
+  double way_ = 0, way_checked_ = 0; ///< at most this has anything gone since the list was made [m]
+  double slack_ = 0; ///< two points have to come nearer by this before the list misses one [m]
   double shake_ = 0, shake_work_ = 0, shaken_from_ = 0; ///< [m/s2], [J], first moment when set
   double stretch_ = 1; ///< a ghost moves at most this much faster than its source [-]
   long steps_ = 0, rebuilds_ = 0;
-  double rebuild_seconds_ = 0;
+  double search_seconds_ = 0, push_seconds_ = 0;
   RepulsionTable table_;
   VerletList list_;
-  std::vector<Self> self_;   ///< shape (n), sorted by cell
-  std::vector<Point> point_; ///< particles, then ghosts
-  std::vector<Force> force_; ///< likewise
-  std::vector<char> repels_; ///< likewise: repulsion is not zero
+  std::vector<double> x_, y_; ///< scratch: positions
+  std::vector<double> p_w_;   ///< scratch: pore pressure of particles and ghosts [Pa]
+  std::vector<Self> self_;    ///< shape (n), sorted by cell
+  std::vector<Point> point_;  ///< particles, then ghosts
+  std::vector<Force> force_;  ///< likewise
+  std::vector<char> repels_;  ///< likewise: repulsion is not zero
   std::vector<MovingGhost> ghost_;
   std::vector<Index> ghost_begin_;
 };

@@ -177,16 +177,16 @@ void UpdatedLagrangian::stop_at_walls(std::size_t i, double& x, double& y, doubl
     const MovingGhost& g = ghost_[static_cast<std::size_t>(k)];
     if (g.sign_y > 0 || g.sign_x < 0) // once for the base, by its plain image
       continue;
-    const double base = 0.5 * (g.y0 + g.y_x * x);
-    if (y < base + least)
+    const BaseLine base = base_line(walls, x); // not the image's: it may have passed a kink
+    if (y < base.at(x) + least)
     {
       // The soil rubs on the base: the impulse along it is at most that across it times friction.
-      y = base + least;
-      const double across = std::max(0.5 * g.y_x * vx - vy, 0.0);
+      y = base.at(x) + least;
+      const double across = std::max(base.slope * vx - vy, 0.0);
       const auto soil = static_cast<std::size_t>(self_[i].soil);
       const double friction = cones_.empty() ? 0 : 3 * cones_[soil].alpha; // sin(phi) if psi = 0
       vx -= sign(vx) * std::min(std::abs(vx), friction * across);
-      vy = std::max(vy, 0.5 * g.y_x * vx);
+      vy = std::max(vy, base.slope * vx);
     }
   }
   if (walls.left && x < *walls.left + least)
@@ -263,18 +263,18 @@ double UpdatedLagrangian::update_motion(Index ii)
   self.damping +=
       0.5 * mass * ((free_x - vx) * (p.motion[2] + vx) + (free_y - vy) * (p.motion[3] + vy));
 
+  const double step_x = x - p.motion[0], step_y = y - p.motion[1];
   p.motion = Lanes{x, y, vx, vy};
   p.matter = Lanes{mass, self.density, 1 / self.density, p.matter[3]};
   store_ghost_motion(i);
-  const double dx = x - self.x_list, dy = y - self.y_list;
-  return dx * dx + dy * dy;
+  return step_x * step_x + step_y * step_y;
 }
 
 void UpdatedLagrangian::step()
 {
-  if (stretch_ * std::sqrt(moved2_) > 0.5 * skin_)
+  if (!list_holds())
     rebuild();
-  double rate = 0, moved2 = 0;
+  double rate = 0, way2 = 0;
 #pragma omp parallel
   {
 #pragma omp for schedule(static) reduction(max : rate)
@@ -283,12 +283,12 @@ void UpdatedLagrangian::step()
                       set_.gradient_correction ? update_stress<true>(i) : update_stress<false>(i));
 #pragma omp single
     dt_ = set_.courant_number * h_ / rate;
-#pragma omp for schedule(static) reduction(max : moved2)
+#pragma omp for schedule(static) reduction(max : way2)
     for (Index i = 0; i < n_; ++i)
-      moved2 = std::max(moved2,
-                        set_.artificial_stress ? update_motion<true>(i) : update_motion<false>(i));
+      way2 =
+          std::max(way2, set_.artificial_stress ? update_motion<true>(i) : update_motion<false>(i));
   }
-  moved2_ = moved2;
+  way_ += std::sqrt(way2);
   dt_before_ = dt_;
   time_ += dt_;
   ++steps_;
