@@ -26,7 +26,7 @@ inline double factor(sph::Particles particles, const meshes::Section& section,
   const auto trial = [&](double F, Observer& observer)
   { return sph::run_trial(d, settled.state, sph::reduced_cones(soils, F, "fitted"), F, observer); };
   const sph::FactorOfSafety F =
-      sph::reduce_strength(trial, {.lower = lower, .upper = upper, .tolerance = 0.02}, silent);
+      sph::reduce_strength(trial, {.lower = lower, .upper = upper, .tolerance = 0.007}, silent);
   return 0.5 * (F.stands.value() + F.fails.value());
 }
 
