@@ -20,7 +20,9 @@ namespace
 constexpr double smoothing_ratio = 1.2;   // h / dx
 constexpr double skin_ratio = 0.25;       // of the Verlet list, over h
 constexpr double longest_way_ratio = 0.5; // over h: after it the list is made again
-constexpr double least_slack = 0.25;      // over the skin: with less, another look does not pay
+constexpr double longest_way_ratio_wet =
+    0.08; // where pore pressure is read anew: a push that lags feeds energy in
+constexpr double least_slack = 0.25; // over the skin: with less, another look does not pay
 constexpr long rebuilds_between_sorts = 5;
 } // namespace
 
@@ -144,7 +146,8 @@ void UpdatedLagrangian::make_ghosts(double reach)
 
 double UpdatedLagrangian::longest_way() const
 {
-  return std::min(longest_way_ratio * h_, 1.2 * h_ / stretch_);
+  const double ratio = body_.reread_pressure ? longest_way_ratio_wet : longest_way_ratio;
+  return std::min(ratio * h_, 1.2 * h_ / stretch_);
 }
 
 bool UpdatedLagrangian::list_holds()
@@ -178,7 +181,7 @@ void UpdatedLagrangian::rebuild()
     self_[i].y_list = y_[i];
   }
   way_ = way_checked_ = 0;
-  slack_ = skin_;
+  slack_ = std::min(skin_, 2 * stretch_ * longest_way());
   ++rebuilds_;
   search_seconds_ += watch.elapsed().cpu;
   update_push();
