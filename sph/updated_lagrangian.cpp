@@ -20,8 +20,8 @@ namespace
 constexpr double smoothing_ratio = 1.2;   // h / dx
 constexpr double skin_ratio = 0.25;       // of the Verlet list, over h
 constexpr double longest_way_ratio = 0.5; // over h: after it the list is made again
-constexpr double longest_way_ratio_wet =
-    0.08; // where pore pressure is read anew: a push that lags feeds energy in
+constexpr double longest_way_wet =
+    0.1; // where there is pore pressure: a push that lags feeds energy in
 constexpr double least_slack = 0.25; // over the skin: with less, another look does not pay
 constexpr long rebuilds_between_sorts = 5;
 } // namespace
@@ -146,7 +146,8 @@ void UpdatedLagrangian::make_ghosts(double reach)
 
 double UpdatedLagrangian::longest_way() const
 {
-  const double ratio = body_.reread_pressure ? longest_way_ratio_wet : longest_way_ratio;
+  const bool wet = body_.reread_pressure || !body_.pore_pressure.empty();
+  const double ratio = wet ? longest_way_wet : longest_way_ratio;
   return std::min(ratio * h_, 1.2 * h_ / stretch_);
 }
 

@@ -170,11 +170,12 @@ TEST(HardRunOut, BeyondTheCriticalGradientTheSoilLiftsAndDoesNotExplode)
       const sph::State s = moving.state();
       ASSERT_GT(*std::min_element(s.y.begin(), s.y.end()), 0);
       ASSERT_GT(moving.closest_pair(), 0.2 * dx);
-      // The water's work is all that can go into motion; 5 % of it for the error of the balance,
-      // which the landing of loose soil upsets most.
+      // The water's work is all that can go into motion. A guard of 10 % of it for the error of the
+      // balance, which the landing of loose soil upsets most: 4.5 to 5.5 % with lists made after
+      // any way from 0.02 h to 0.12 h, 20 % with forces that are not the adjoint of the strain.
       const sph::Energies e = moving.energies();
       most_water = std::max(most_water, std::abs(e.water));
-      ASSERT_LT(e.kinetic + e.potential + e.elastic, start + e.water + 0.05 * most_water);
+      ASSERT_LT(e.kinetic + e.potential + e.elastic, start + e.water + 0.1 * most_water);
       const double rise = tests::total(s.uy) / static_cast<double>(s.uy.size());
       const double t = moving.time();
       if (ratio < 1)
