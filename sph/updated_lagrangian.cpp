@@ -20,9 +20,8 @@ namespace
 constexpr double smoothing_ratio = 1.2;   // h / dx
 constexpr double skin_ratio = 0.25;       // of the Verlet list, over h
 constexpr double longest_way_ratio = 0.5; // over h: after it the list is made again
-constexpr double longest_way_wet =
-    0.1; // where there is pore pressure: a push that lags feeds energy in
-constexpr double least_slack = 0.25; // over the skin: with less, another look does not pay
+constexpr double pushed_way_ratio = 0.1; // over h: after it the pore pressure's push is taken again
+constexpr double least_slack = 0.25;     // over the skin: with less, another look does not pay
 constexpr long rebuilds_between_sorts = 5;
 } // namespace
 
@@ -146,9 +145,13 @@ void UpdatedLagrangian::make_ghosts(double reach)
 
 double UpdatedLagrangian::longest_way() const
 {
+  return std::min(longest_way_ratio * h_, 1.2 * h_ / stretch_);
+}
+
+bool UpdatedLagrangian::push_holds() const
+{
   const bool wet = body_.reread_pressure || !body_.pore_pressure.empty();
-  const double ratio = wet ? longest_way_wet : longest_way_ratio;
-  return std::min(ratio * h_, 1.2 * h_ / stretch_);
+  return !wet || way_ - way_pushed_ <= pushed_way_ratio * h_;
 }
 
 bool UpdatedLagrangian::list_holds()
@@ -190,6 +193,7 @@ void UpdatedLagrangian::rebuild()
 
 void UpdatedLagrangian::update_push()
 {
+  way_pushed_ = way_;
   if (body_.pore_pressure.empty() && !body_.reread_pressure)
     return;
   const Stopwatch watch;

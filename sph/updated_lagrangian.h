@@ -152,6 +152,7 @@ private:
   void read_positions();                    ///< of particles and ghosts, to x_ and y_
   void sort_particles();
   void make_ghosts(double reach);
+  [[nodiscard]] bool push_holds() const;     ///< whether soil is near where its push was taken
   void update_push();                        ///< acceleration by pore pressure
   [[nodiscard]] double first_moment() const; ///< sum of mass times x [kg per m run times m]
   template <bool corrected>
@@ -167,7 +168,8 @@ private:
   std::vector<Cone> cones_;
   Index n_;
   double h_, skin_, dt_ = 0, dt_before_ = 0, time_ = 0;
-  double way_ = 0, way_checked_ = 0; ///< at most this has anything gone since the list was made [m]
+  double way_ = 0; ///< at most this has anything gone since the list was made [m]
+  double way_checked_ = 0, way_pushed_ = 0; ///< the same when the list was looked at, when pushed
   double slack_ = 0; ///< two points have to come nearer by this before the list misses one [m]
   double shake_ = 0, shake_work_ = 0, shaken_from_ = 0; ///< [m/s2], [J], first moment when set
   double stretch_ = 1; ///< a ghost moves at most this much faster than its source [-]

@@ -274,6 +274,8 @@ void UpdatedLagrangian::step()
 {
   if (!list_holds())
     rebuild();
+  else if (!push_holds())
+    update_push();
   double rate = 0, way2 = 0;
 #pragma omp parallel
   {
