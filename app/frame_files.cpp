@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 constexpr const char* folder = "run_out";
 
 /// What a frame holds besides fields, by its name on file.
-template <class Visit>
-void visit_numbers(sph::Frame& frame, const Visit& visit)
+template <class Frame, class Visit>
+void visit_numbers(Frame& frame, const Visit& visit)
 {
   visit("time_s", frame.time);
   visit("time_step_s", frame.time_step);
   visit("still_since_s", frame.still_since);
-  sph::Energies& e = frame.energies;
+  auto& e = frame.energies;
   visit("kinetic_J_m", e.kinetic);
   visit("potential_J_m", e.potential);
   visit("elastic_J_m", e.elastic);
@@ -103,9 +103,8 @@ void FrameFiles::open(const sph::Particles& particles, double factor,
     throw IoError((directory_ / folder).string() + ": cannot be made a directory");
 }
 
-void FrameFiles::keep(const sph::Frame& given)
+void FrameFiles::keep(const sph::Frame& frame)
 {
-  sph::Frame frame = given;
   const fs::path aside = path(frame.number).string() + ".part";
   Hdf5File file(aside.string());
   Polyline position;

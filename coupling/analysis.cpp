@@ -104,26 +104,30 @@ sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
 #endif
 }
 
-/// With the water in the pores.
-sph::Particles saturated(sph::Particles particles, const std::vector<sph::Soil>& soils,
-                         const PorePressure& pressure)
+/// Particles with the water in their pores, ready to settle.
+struct Body
 {
-  const std::vector<double> p_w = pressure(particles.x, particles.y);
+  sph::Particles particles;
+  std::vector<double> pore_pressure; ///< [Pa]
+  sph::Discretisation discretisation;
+};
+
+/// @throws InputError if the packing would lie.
+Body make_body(const meshes::Section& section, const SphSettings& settings,
+               const std::vector<sph::Soil>& soils, const PorePressure& p_w)
+{
+  Body body;
+  sph::Particles& particles = body.particles = fill(section, settings);
+  body.pore_pressure = p_w(particles.x, particles.y);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const sph::Soil& soil = soils[static_cast<std::size_t>(particles.soil[i])];
-    particles.density[i] = p_w[i] > 0 ? soil.saturated_density : soil.density;
+    particles.density[i] = body.pore_pressure[i] > 0 ? soil.saturated_density : soil.density;
   }
-  return particles;
-}
-
-/// @throws InputError if the packing would lie.
-sph::Discretisation discretise(const sph::Particles& particles, const std::vector<sph::Soil>& soils,
-                               const std::vector<double>& p_w, const meshes::Section& section)
-{
-  sph::Discretisation d = sph::discretise(particles, soils, p_w, section);
-  sph::require_sound_packing(sph::measure_packing(particles, d, section), particles);
-  return d;
+  body.discretisation = sph::discretise(particles, soils, body.pore_pressure, section);
+  sph::require_sound_packing(sph::measure_packing(particles, body.discretisation, section),
+                             particles);
+  return body;
 }
 
 sph::FactorOfSafety factor_of_safety(const sph::SoilModel& model, const sph::State& settled,
@@ -158,17 +162,16 @@ try
 {
   SphSettings settings = input.sph;
   settings.spacing *= 2;
-  const sph::Particles particles = saturated(fill(section, settings), soils, p_w);
-  const sph::Discretisation body =
-      discretise(particles, soils, p_w(particles.x, particles.y), section);
-  const sph::Settled settled = sph::settle(body, observer);
-  const sph::FactorOfSafety F = factor_of_safety(body, settled.state, soils, input, observer);
+  const Body body = make_body(section, settings, soils, p_w);
+  const sph::Settled settled = sph::settle(body.discretisation, observer);
+  const sph::FactorOfSafety F =
+      factor_of_safety(body.discretisation, settled.state, soils, input, observer);
   if (!F.complete)
     return std::nullopt;
   return CoarseFactor{.spacing = settings.spacing,
                       .stands = F.stands.value(),
                       .fails = F.fails.value(),
-                      .particle_steps = particle_steps(settled, F, particles.size())};
+                      .particle_steps = particle_steps(settled, F, body.particles.size())};
 }
 catch (const InputError&) // its packing is refused
 {
@@ -265,20 +268,17 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
 
   stability.free_surface = hydrostatic_surface(input, section);
   const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
-  const sph::Discretisation body =
-      timed(analysis, observer, "particles",
-            [&]
-            {
-              stability.particles = saturated(fill(section, input.sph), soils, p_w);
-              stability.pore_pressure = p_w(stability.particles.x, stability.particles.y);
-              return discretise(stability.particles, soils, stability.pore_pressure, section);
-            });
+  Body body = timed(analysis, observer, "particles",
+                    [&] { return make_body(section, input.sph, soils, p_w); });
+  stability.particles = std::move(body.particles);
+  stability.pore_pressure = std::move(body.pore_pressure);
 
   std::optional<sph::MovingBody> moving;
   if (input.sph.formulation == "paper")
     moving = sph::moving_body(stability.particles, soils, stability.pore_pressure, section,
                               sph::paper_settings());
-  const sph::SoilModel model = moving ? sph::SoilModel(*moving) : sph::SoilModel(body);
+  const sph::SoilModel model =
+      moving ? sph::SoilModel(*moving) : sph::SoilModel(body.discretisation);
 
   // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
   std::vector<sph::Cone> settling_cones;
@@ -289,7 +289,7 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
   stability.settled = settled.state;
   stability.settlement = settled.settlement;
   if (!moving) // without gradient correction every packing settles too far
-    sph::require_sound_settlement(settled.settlement, body, stability.particles);
+    sph::require_sound_settlement(settled.settlement, body.discretisation, stability.particles);
 
   if (input.stability && !moving && stability.particles.size() >= worth_a_coarse_search)
     stability.coarse = timed(analysis, observer, "coarse search",

@@ -51,10 +51,11 @@ TEST(PorePressure, AroundTheSectionItIsThatOfPoolsAndAir)
   { return std::vector<double>(x.size(), 7.0); };
   const PorePressure p_w = pore_pressure_in_space(inside, meshes::build_section(input));
   EXPECT_EQ(at(p_w, 100, 10), 7);
-  EXPECT_NEAR(at(p_w, 20, 10), 9810 * 14.4, 1e-9); // in the pool, where there was no soil
-  EXPECT_EQ(at(p_w, 20, 25), 0);                   // above it
-  EXPECT_EQ(at(p_w, 170, 8), 0);                   // beyond the dry toe
-  EXPECT_EQ(at(p_w, 103, 30), 0);                  // above the crest
+  EXPECT_NEAR(at(p_w, 20, 10), 9810 * 14.4,
+              1e-9);              // in the pool, no soil as drawn; rounding of 1.4e5 Pa
+  EXPECT_EQ(at(p_w, 20, 25), 0);  // above it
+  EXPECT_EQ(at(p_w, 170, 8), 0);  // beyond the dry toe
+  EXPECT_EQ(at(p_w, 103, 30), 0); // above the crest
 }
 
 TEST(PorePressure, WithTwoPoolsTheLineJoinsTheirWaterlines)

@@ -108,6 +108,7 @@ TEST(Solve, EqualPoolsMoveNothing)
   EXPECT_EQ(s.discharge, 0);
   EXPECT_EQ(s.balance, 0);
   EXPECT_FALSE(s.exit_point);
+  // Nothing flows: the hydrostatic state is exact, to the rounding of a linear solve [m].
   for (const double head : s.head)
     EXPECT_NEAR(head, 8, 1e-10);
   EXPECT_NEAR(phreatic_level(s, 210).value(), 8, 1e-10);

@@ -5,7 +5,7 @@
 #include "sph/fill.h"
 #include "sph/soil_model.h"
 #include "sph/trial.h"
-#include "tests/support/sections.h"
+#include "tests/support/moving_soil.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -23,18 +23,12 @@ namespace
 /// A block of the embankment's soil, 2 m x 1 m.
 MovingBody block(double dx, const UpdatedLagrangianSettings& settings)
 {
-  const meshes::Section section = tests::block(2, 1);
-  Particles particles = fill(section, dx, "columns");
-  const std::vector<Soil> soils{tests::embankment_soil()};
-  tests::set_density(particles, soils[0].density);
-  return moving_body(particles, soils, {}, section, settings);
+  return tests::moving_block(tests::embankment_soil(), 2, 1, dx, settings);
 }
 
 MovingBody free_block(double dx, const UpdatedLagrangianSettings& settings)
 {
-  MovingBody body = block(dx, settings);
-  body.walls = {};
-  return body;
+  return tests::free_block(tests::embankment_soil(), 2, 1, dx, settings);
 }
 
 State random_velocities(const MovingBody& body, double size)
