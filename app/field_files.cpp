@@ -35,7 +35,9 @@ std::vector<NamedState> states(const coupling::Stability& stability)
       all.push_back({name, state, trial});
   };
   add("settled", &stability.settled, nullptr);
-  const auto& factor = stability.factor_of_safety;
+  if (stability.searches.empty())
+    return all;
+  const sph::FactorOfSafety& factor = stability.governing().F;
   if (const sph::Trial* trial = factor.standing_trial())
     add("standing", &trial->state, trial);
   if (const sph::Trial* trial = factor.failing_trial())
@@ -125,8 +127,8 @@ void write_fields(const std::string& path, const coupling::Case& input,
   if (analysis.stability)
   {
     write_particles(file, *analysis.stability);
-    if (analysis.stability->mechanism)
-      file.write("/slip_line", flat(analysis.stability->mechanism->slip_line), 2,
+    if (!analysis.stability->searches.empty() && analysis.stability->governing().mechanism)
+      file.write("/slip_line", flat(analysis.stability->governing().mechanism->slip_line), 2,
                  {"m", "slip line, from uphill to downhill (x, y)"});
   }
   file.close();

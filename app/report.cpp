@@ -145,28 +145,56 @@ void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& 
                            circle->x_left, circle->x_right));
 }
 
-void add_stability(Page& page, const coupling::Stability& s, bool searched)
+void add_found(Page& page, const coupling::FoundFactor& found)
 {
-  page.heading("Stability");
-  page.row("factor of safety", searched ? factor_text(s.factor_of_safety) : "not asked for");
-  if (s.coarse && s.factor_of_safety.factor())
+  const sph::FactorOfSafety& F = found.F;
+  page.row("factor of safety", factor_text(F));
+  if (found.coarse && F.factor())
     page.row("spacing",
              fmt::format("at {:g} m F = {:.3f}: halving the spacing changed it by {:+.3f}",
-                         s.coarse->spacing, s.coarse->factor(),
-                         *s.factor_of_safety.factor() - s.coarse->factor()));
-  if (s.factor_of_safety.fails)
-    add_mechanism(page, s.mechanism);
-  add_critical_circle(page, s.critical_circle);
-  page.row("particles", fmt::format("{} at {:g} m, packed in {}", s.particles.size(),
-                                    s.particles.spacing, s.particles.packing));
-  if (s.factor_of_safety.trials.empty())
+                         found.coarse->spacing, found.coarse->factor(),
+                         *F.factor() - found.coarse->factor()));
+  if (F.fails)
+    add_mechanism(page, found.mechanism);
+  add_critical_circle(page, found.critical_circle);
+}
+
+void add_trials(Page& page, const sph::FactorOfSafety& F)
+{
+  if (F.trials.empty())
     return;
   page.line("\n  {:>8}  {:<9}  {:>8}  {:>7}  {:>14}  why", "factor", "outcome", "time [s]", "steps",
             "moved by [m]");
-  for (const sph::Trial& t : s.factor_of_safety.trials)
+  for (const sph::Trial& t : F.trials)
     page.line("  {:>8.4f}  {:<9}  {:>8.2f}  {:>7}  {:>14.4g}  {}", t.factor,
               t.interrupted ? "stopped" : sph::to_string(t.outcome), t.time, t.steps,
               t.max_displacement, t.reason);
+}
+
+/// All searches side by side, then each with its evidence.
+void add_stability(Page& page, const coupling::Stability& s)
+{
+  page.heading("Stability");
+  const std::string particles = fmt::format("{} at {:g} m, packed in {}", s.particles.size(),
+                                            s.particles.spacing, s.particles.packing);
+  if (s.searches.empty())
+    page.row("factor of safety", "not asked for");
+  if (s.searches.size() == 1)
+    add_found(page, s.searches.front());
+  for (const coupling::FoundFactor& found : s.searches)
+    if (s.searches.size() > 1)
+      page.row(found.region.name,
+               factor_text(found.F) + (&found == &s.governing() ? ", governs" : ""));
+  page.row("particles", particles);
+  for (const coupling::FoundFactor& found : s.searches)
+  {
+    if (s.searches.size() > 1)
+    {
+      page.heading("Stability, " + found.region.name);
+      add_found(page, found);
+    }
+    add_trials(page, found.F);
+  }
 }
 
 void add_run_out(Page& page, const coupling::RunOut& r, const meshes::Section& section)
@@ -268,7 +296,7 @@ std::string report(const coupling::Case& input, const coupling::Analysis& analys
   if (analysis.seepage)
     add_seepage(page, input, analysis);
   if (analysis.stability)
-    add_stability(page, *analysis.stability, input.stability);
+    add_stability(page, *analysis.stability);
   if (analysis.run_out)
     add_run_out(page, *analysis.run_out, analysis.section);
   add_times(page, analysis);

@@ -140,22 +140,43 @@ Json coarse_json(const std::optional<coupling::CoarseFactor>& coarse,
           {"change", factor.factor() ? Json(*factor.factor() - coarse->factor()) : Json(nullptr)}};
 }
 
+Json trials_json(const std::vector<sph::Trial>& trials)
+{
+  Json list = Json::array();
+  for (const sph::Trial& t : trials)
+    list.push_back({{"factor", t.factor},
+                    {"outcome", sph::to_string(t.outcome)},
+                    {"reason", t.reason},
+                    {"interrupted", t.interrupted},
+                    {"time_s", t.time},
+                    {"steps", t.steps},
+                    {"velocity_measure", t.velocity_measure},
+                    {"max_displacement_m", t.max_displacement},
+                    {"history", history_json(t.history)},
+                    {"seconds", seconds(t.seconds)}});
+  return list;
+}
+
+Json found_json(const coupling::FoundFactor& found)
+{
+  const sph::FactorOfSafety& F = found.F;
+  return {{"region", found.region.name},
+          {"min_depth_m", found.region.min_depth},
+          {"factor", or_null(F.factor())},
+          {"stands", or_null(F.stands)},
+          {"fails", or_null(F.fails)},
+          {"complete", F.complete},
+          {"reason", F.reason},
+          {"side", found.mechanism ? Json(found.mechanism->side) : Json(nullptr)},
+          {"mechanism", mechanism_json(found.mechanism)},
+          {"limit_equilibrium", circle_json(found.critical_circle)},
+          {"coarse", coarse_json(found.coarse, F)},
+          {"trials", trials_json(F.trials)}};
+}
+
 Json stability_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const coupling::Stability& s = *analysis.stability;
-  const sph::FactorOfSafety& factor = s.factor_of_safety;
-  Json trials = Json::array();
-  for (const sph::Trial& t : factor.trials)
-    trials.push_back({{"factor", t.factor},
-                      {"outcome", sph::to_string(t.outcome)},
-                      {"reason", t.reason},
-                      {"interrupted", t.interrupted},
-                      {"time_s", t.time},
-                      {"steps", t.steps},
-                      {"velocity_measure", t.velocity_measure},
-                      {"max_displacement_m", t.max_displacement},
-                      {"history", history_json(t.history)},
-                      {"seconds", seconds(t.seconds)}});
   double wall = 0, cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)
     if (stage.stage != "seepage")
@@ -163,25 +184,23 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
       wall += stage.seconds.wall;
       cpu += stage.seconds.cpu;
     }
-  return {{"factor", or_null(factor.factor())},
-          {"stands", or_null(factor.stands)},
-          {"fails", or_null(factor.fails)},
-          {"complete", factor.complete},
-          {"reason", factor.reason},
-          {"pore_pressure", coupling::to_string(input.water.pore_pressure)},
-          {"free_surface_m", points(s.free_surface)},
-          {"cone", input.sph.cone},
-          {"formulation", input.sph.formulation},
-          {"packing", s.particles.packing},
-          {"spacing_m", s.particles.spacing},
-          {"particles", s.particles.size()},
-          {"settlement_m", s.settlement},
-          {"side", s.mechanism ? Json(s.mechanism->side) : Json(nullptr)},
-          {"mechanism", mechanism_json(s.mechanism)},
-          {"limit_equilibrium", circle_json(s.critical_circle)},
-          {"coarse", coarse_json(s.coarse, factor)},
-          {"trials", trials},
-          {"seconds", seconds({wall, cpu})}};
+  Json json = found_json(s.searches.empty() ? coupling::FoundFactor{} : s.governing());
+  json.update({{"pore_pressure", coupling::to_string(input.water.pore_pressure)},
+               {"free_surface_m", points(s.free_surface)},
+               {"cone", input.sph.cone},
+               {"formulation", input.sph.formulation},
+               {"packing", s.particles.packing},
+               {"spacing_m", s.particles.spacing},
+               {"particles", s.particles.size()},
+               {"settlement_m", s.settlement},
+               {"seconds", seconds({wall, cpu})}});
+  if (s.searches.size() > 1)
+  {
+    json["searches"] = Json::array();
+    for (const coupling::FoundFactor& found : s.searches)
+      json["searches"].push_back(found_json(found));
+  }
+  return json;
 }
 
 Json energies_json(const std::vector<sph::Moment>& history)
@@ -285,8 +304,8 @@ std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& an
 {
   double cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)
-    if (stage.stage == "settling" || stage.stage == "coarse search" ||
-        stage.stage == "strength reduction" || stage.stage == "run-out")
+    if (stage.stage == "settling" || stage.stage.starts_with("coarse") ||
+        stage.stage.starts_with("strength reduction") || stage.stage == "run-out")
       cpu += stage.seconds.cpu;
   if (!analysis.stability || analysis.stability->particle_steps <= 0 || cpu <= 0)
     return std::nullopt;
@@ -308,7 +327,10 @@ std::optional<double> freeboard(const coupling::RunOut& run_out, const meshes::S
 bool complete(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const bool factor_found =
-      !input.stability || (analysis.stability && analysis.stability->factor_of_safety.complete);
+      !input.stability ||
+      (analysis.stability && !analysis.stability->searches.empty() &&
+       std::all_of(analysis.stability->searches.begin(), analysis.stability->searches.end(),
+                   [](const coupling::FoundFactor& found) { return found.F.complete; }));
   const bool at_rest = !input.run_out || (analysis.run_out && analysis.run_out->motion.at_rest);
   return factor_found && at_rest && !analysis.interrupted;
 }

@@ -14,8 +14,11 @@
 #include "sph/trial.h"
 #include "sph/updated_lagrangian.h"
 
+#include <algorithm>
 #include <fmt/core.h>
+#include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace berm::coupling
@@ -24,13 +27,21 @@ namespace
 {
 /// Runs one stage: tells the observer, and keeps the time.
 template <class Stage>
-auto timed(Analysis& analysis, Observer& observer, const char* name, Stage&& stage)
+auto timed(Analysis& analysis, Observer& observer, const std::string& name, Stage&& stage)
 {
   observer.stage(name);
   const Stopwatch watch;
-  auto result = stage();
-  analysis.stages.push_back({name, watch.elapsed()});
-  return result;
+  if constexpr (std::is_void_v<decltype(stage())>)
+  {
+    stage();
+    analysis.stages.push_back({name, watch.elapsed()});
+  }
+  else
+  {
+    auto result = stage();
+    analysis.stages.push_back({name, watch.elapsed()});
+    return result;
+  }
 }
 
 #ifdef BERM_WITH_SEEPAGE
@@ -104,74 +115,113 @@ sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
 #endif
 }
 
-/// Particles with the water in their pores, ready to settle.
+/// What all searches share.
+struct Scene
+{
+  const Case& input;
+  const meshes::Section& section;
+  const std::vector<sph::Soil>& soils;
+  const PorePressure& p_w;
+};
+
+/// The soils, and again as held soil: what `strength_index` counts.
+std::vector<sph::Soil> with_held(const std::vector<sph::Soil>& soils)
+{
+  std::vector<sph::Soil> twice = soils;
+  twice.insert(twice.end(), soils.begin(), soils.end());
+  return twice;
+}
+
+/// Particles with the water in their pores.
 struct Body
 {
   sph::Particles particles;
   std::vector<double> pore_pressure; ///< [Pa]
   sph::Discretisation discretisation;
+  std::optional<sph::MovingBody> moving; ///< in its place, in the paper's formulation
+  sph::Settled settled;                  ///< where every trial starts
+
+  /// A view, whichever way the motion is solved.
+  [[nodiscard]] sph::SoilModel model() const
+  {
+    return moving ? sph::SoilModel(*moving) : sph::SoilModel(discretisation);
+  }
+
+  /// From now on, cones_in_region reduces the strength there.
+  void reduce_in(const Region& region, std::size_t soils)
+  {
+    (moving ? moving->particles.soil : discretisation.soil) =
+        strength_index(region, particles, soils);
+  }
+
+  [[nodiscard]] double particle_steps(double steps) const
+  {
+    return steps * static_cast<double>(particles.size());
+  }
 };
 
 /// @throws InputError if the packing would lie.
-Body make_body(const meshes::Section& section, const SphSettings& settings,
-               const std::vector<sph::Soil>& soils, const PorePressure& p_w)
+Body make_body(const Scene& scene, double spacing)
 {
+  SphSettings settings = scene.input.sph;
+  settings.spacing = spacing;
   Body body;
-  sph::Particles& particles = body.particles = fill(section, settings);
-  body.pore_pressure = p_w(particles.x, particles.y);
+  sph::Particles& particles = body.particles = fill(scene.section, settings);
+  body.pore_pressure = scene.p_w(particles.x, particles.y);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const sph::Soil& soil = soils[static_cast<std::size_t>(particles.soil[i])];
+    const sph::Soil& soil = scene.soils[static_cast<std::size_t>(particles.soil[i])];
     particles.density[i] = body.pore_pressure[i] > 0 ? soil.saturated_density : soil.density;
   }
-  body.discretisation = sph::discretise(particles, soils, body.pore_pressure, section);
-  sph::require_sound_packing(sph::measure_packing(particles, body.discretisation, section),
+  const std::vector<sph::Soil> soils = with_held(scene.soils);
+  body.discretisation = sph::discretise(particles, soils, body.pore_pressure, scene.section);
+  sph::require_sound_packing(sph::measure_packing(particles, body.discretisation, scene.section),
                              particles);
+  if (settings.formulation == "paper")
+    body.moving = sph::moving_body(particles, soils, body.pore_pressure, scene.section,
+                                   sph::paper_settings());
   return body;
 }
 
-sph::FactorOfSafety factor_of_safety(const sph::SoilModel& model, const sph::State& settled,
-                                     const std::vector<sph::Soil>& soils, const Case& input,
-                                     Observer& observer)
+void settle(Body& body, const Scene& scene, Observer& observer)
 {
-  const auto trial = [&](double factor, Observer& trial_observer)
-  {
-    return sph::run_trial(model, settled, sph::reduced_cones(soils, factor, input.sph.cone), factor,
-                          trial_observer);
-  };
-  return sph::reduce_strength(trial, input.search, observer);
+  // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
+  std::vector<sph::Cone> cones;
+  if (body.moving)
+    cones = cones_in_region(scene.soils, 1, scene.input.sph.cone);
+  body.settled = sph::settle(body.model(), observer, cones);
 }
 
-/// Of settling and all trials.
-double particle_steps(const sph::Settled& settled, const sph::FactorOfSafety& factor,
-                      std::size_t particles)
+sph::FactorOfSafety factor_of_safety(const Body& body, const Scene& scene,
+                                     const sph::SearchSettings& search, Observer& observer)
 {
-  double steps = static_cast<double>(settled.steps);
-  for (const sph::Trial& t : factor.trials)
+  const sph::SoilModel model = body.model();
+  const auto trial = [&](double factor, Observer& trial_observer)
+  {
+    return sph::run_trial(model, body.settled.state,
+                          cones_in_region(scene.soils, factor, scene.input.sph.cone), factor,
+                          trial_observer);
+  };
+  return sph::reduce_strength(trial, search, observer);
+}
+
+double steps_of(const sph::FactorOfSafety& F)
+{
+  double steps = 0;
+  for (const sph::Trial& t : F.trials)
     steps += static_cast<double>(t.steps);
-  return steps * static_cast<double>(particles);
+  return steps;
 }
 
 constexpr std::size_t worth_a_coarse_search = 6000; // particles; below, all of it takes a second
 
-/// Nothing where the section is too coarse for it, or where the search found no answer.
-std::optional<CoarseFactor> coarse_factor(const Case& input, const meshes::Section& section,
-                                          const std::vector<sph::Soil>& soils,
-                                          const PorePressure& p_w, Observer& observer)
+/// Particles twice as far apart, settled; nothing where the section is too coarse for them.
+std::optional<Body> coarse_body(const Scene& scene, Observer& observer)
 try
 {
-  SphSettings settings = input.sph;
-  settings.spacing *= 2;
-  const Body body = make_body(section, settings, soils, p_w);
-  const sph::Settled settled = sph::settle(body.discretisation, observer);
-  const sph::FactorOfSafety F =
-      factor_of_safety(body.discretisation, settled.state, soils, input, observer);
-  if (!F.complete)
-    return std::nullopt;
-  return CoarseFactor{.spacing = settings.spacing,
-                      .stands = F.stands.value(),
-                      .fails = F.fails.value(),
-                      .particle_steps = particle_steps(settled, F, body.particles.size())};
+  Body body = make_body(scene, 2 * scene.input.sph.spacing);
+  settle(body, scene, observer);
+  return body;
 }
 catch (const InputError&) // its packing is refused
 {
@@ -190,6 +240,52 @@ std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& mode
   const auto left = critical_circle(model, false, 0), right = critical_circle(model, true, 0);
   return !left || (right && right->bishop < left->bishop) ? right : left;
 }
+
+/// One search: where the strength in a region is reduced, when does the slope fail, and how?
+/// @param[in]     suffix    Of the stages' names.
+/// @param[in,out] analysis  Gains the stages and their cost.
+FoundFactor find_factor(const Scene& scene, const Region& region, Body& body,
+                        std::optional<Body>& coarse, const std::string& suffix, Analysis& analysis,
+                        Observer& observer)
+{
+  FoundFactor found;
+  found.region = region;
+  Stability& stability = *analysis.stability;
+  sph::SearchSettings search = scene.input.search;
+
+  // Step 1: on coarse particles, to know where to look.
+  if (coarse)
+  {
+    coarse->reduce_in(region, scene.soils.size());
+    const auto F = timed(analysis, observer, "coarse search" + suffix,
+                         [&] { return factor_of_safety(*coarse, scene, search, observer); });
+    stability.particle_steps += coarse->particle_steps(steps_of(F));
+    if (F.complete)
+      found.coarse = CoarseFactor{.spacing = coarse->particles.spacing,
+                                  .stands = F.stands.value(),
+                                  .fails = F.fails.value()};
+  }
+  if (found.coarse)
+    search.guess = found.coarse->factor();
+
+  // Step 2: the factor.
+  body.reduce_in(region, scene.soils.size());
+  found.F = timed(analysis, observer, "strength reduction" + suffix,
+                  [&] { return factor_of_safety(body, scene, search, observer); });
+  stability.particle_steps += body.particle_steps(steps_of(found.F));
+
+  // Step 3: the mechanism, and the circle beside it.
+  if (const sph::Trial* failing = found.F.failing_trial())
+    found.mechanism = sph::find_mechanism(body.particles, failing->state, scene.section);
+  if (!observer.stop_requested())
+    found.critical_circle = timed(
+        analysis, observer, "limit equilibrium" + suffix,
+        [&] {
+          return find_critical_circle({scene.section, scene.soils, scene.p_w}, found.mechanism);
+        });
+  return found;
+}
+
 /// Undamped but for viscosity; in the terms of the formulation that the trials used.
 sph::UpdatedLagrangianSettings run_out_terms(const SphSettings& settings)
 {
@@ -200,12 +296,16 @@ sph::UpdatedLagrangianSettings run_out_terms(const SphSettings& settings)
   return terms;
 }
 
-/// Nothing if it was to go on from a failing trial and there is none.
-std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
-                              const std::vector<sph::Soil>& soils, const PorePressure& p_w,
-                              const Stability& stability, RunOutStore& frames, Observer& observer)
+/// Goes on from the governing failing trial, in whose region the strength stays reduced, or starts
+/// from the settled state with the strength reduced wherever the case allows it. Nothing if it was
+/// to go on and no trial failed.
+std::optional<RunOut> run_out(const Scene& scene, const Stability& stability, RunOutStore& frames,
+                              Observer& observer)
 {
-  const sph::Trial* failing = stability.factor_of_safety.failing_trial();
+  const Case& input = scene.input;
+  const meshes::Section& section = scene.section;
+  const sph::Trial* failing =
+      stability.searches.empty() ? nullptr : stability.governing().F.failing_trial();
   if (!input.run_out->factor && !failing)
   {
     observer.warn("no run-out: no trial failed, and runout.factor is not given");
@@ -215,13 +315,16 @@ std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
   result.from_trial = !input.run_out->factor;
   result.factor = input.run_out->factor ? *input.run_out->factor : failing->factor;
   const bool wet = input.water.pore_pressure != PorePressureKind::none;
-  sph::MovingBody body = sph::moving_body(stability.particles, soils,
+  sph::MovingBody body = sph::moving_body(stability.particles, with_held(scene.soils),
                                           wet ? stability.pore_pressure : std::vector<double>{},
                                           section, run_out_terms(input.sph));
+  body.particles.soil = strength_index(result.from_trial ? stability.governing().region
+                                                         : allowed_region(input.scope, section),
+                                       stability.particles, scene.soils.size());
   if (wet)
     body.reread_pressure = input.water.pore_pressure == PorePressureKind::seepage
-                               ? pore_pressure_in_space(p_w, section)
-                               : p_w;
+                               ? pore_pressure_in_space(scene.p_w, section)
+                               : scene.p_w;
   const sph::Frame first =
       sph::first_frame(body, result.from_trial ? failing->state : stability.settled);
   for (const Soil& soil : input.soils)
@@ -230,12 +333,21 @@ std::optional<RunOut> run_out(const Case& input, const meshes::Section& section,
                     " dilates as long as it flows; dilation_angle_deg = 0 is usual for a run-out");
   frames.open(stability.particles, result.factor, input.run_out->motion);
   result.motion =
-      sph::run_out(body, sph::reduced_cones(soils, result.factor, input.sph.cone), first,
+      sph::run_out(body, cones_in_region(scene.soils, result.factor, input.sph.cone), first,
                    section.y_max - section.y_min, input.run_out->motion, frames, observer);
   result.shape = sph::final_shape(stability.particles, result.motion.last.state, section);
   return result;
 }
 } // namespace
+
+const FoundFactor& Stability::governing() const
+{
+  const auto fails = [](const FoundFactor& found)
+  { return found.F.fails.value_or(std::numeric_limits<double>::infinity()); };
+  return *std::min_element(searches.begin(), searches.end(),
+                           [&](const FoundFactor& a, const FoundFactor& b)
+                           { return fails(a) < fails(b); });
+}
 
 Analysis analyse(const Case& input, Observer& observer)
 {
@@ -268,59 +380,40 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
 
   stability.free_surface = hydrostatic_surface(input, section);
   const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
-  Body body = timed(analysis, observer, "particles",
-                    [&] { return make_body(section, input.sph, soils, p_w); });
-  stability.particles = std::move(body.particles);
-  stability.pore_pressure = std::move(body.pore_pressure);
+  const Scene scene{input, section, soils, p_w};
+  const std::vector<Region> wanted =
+      input.stability ? regions(input.scope, section) : std::vector<Region>{};
 
-  std::optional<sph::MovingBody> moving;
-  if (input.sph.formulation == "paper")
-    moving = sph::moving_body(stability.particles, soils, stability.pore_pressure, section,
-                              sph::paper_settings());
-  const sph::SoilModel model =
-      moving ? sph::SoilModel(*moving) : sph::SoilModel(body.discretisation);
+  Body body =
+      timed(analysis, observer, "particles", [&] { return make_body(scene, input.sph.spacing); });
+  stability.particles = body.particles;
+  stability.pore_pressure = body.pore_pressure;
+  timed(analysis, observer, "settling", [&] { settle(body, scene, observer); });
+  stability.settled = body.settled.state;
+  stability.settlement = body.settled.settlement;
+  stability.particle_steps = body.particle_steps(static_cast<double>(body.settled.steps));
+  if (!body.moving) // without gradient correction every packing settles too far
+    sph::require_sound_settlement(stability.settlement, body.discretisation, stability.particles);
 
-  // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
-  std::vector<sph::Cone> settling_cones;
-  if (moving)
-    settling_cones = sph::reduced_cones(soils, 1, input.sph.cone);
-  const sph::Settled settled = timed(analysis, observer, "settling",
-                                     [&] { return sph::settle(model, observer, settling_cones); });
-  stability.settled = settled.state;
-  stability.settlement = settled.settlement;
-  if (!moving) // without gradient correction every packing settles too far
-    sph::require_sound_settlement(settled.settlement, body.discretisation, stability.particles);
-
-  if (input.stability && !moving && stability.particles.size() >= worth_a_coarse_search)
-    stability.coarse = timed(analysis, observer, "coarse search",
-                             [&] { return coarse_factor(input, section, soils, p_w, observer); });
-  if (stability.coarse)
-    input.search.guess = stability.coarse->factor();
-  if (input.stability)
-    stability.factor_of_safety =
-        timed(analysis, observer, "strength reduction",
-              [&] { return factor_of_safety(model, settled.state, soils, input, observer); });
+  std::optional<Body> coarse;
+  if (!wanted.empty() && !body.moving && body.particles.size() >= worth_a_coarse_search)
+    timed(analysis, observer, "coarse settling", [&] { coarse = coarse_body(scene, observer); });
+  if (coarse)
+    stability.particle_steps += coarse->particle_steps(static_cast<double>(coarse->settled.steps));
+  for (const Region& region : wanted)
+    if (stability.searches.empty() || !observer.stop_requested())
+      stability.searches.push_back(find_factor(scene, region, body, coarse,
+                                               wanted.size() > 1 ? ", " + region.name : "",
+                                               analysis, observer));
   analysis.interrupted = observer.stop_requested();
 
-  stability.particle_steps =
-      particle_steps(settled, stability.factor_of_safety, stability.particles.size()) +
-      (stability.coarse ? stability.coarse->particle_steps : 0);
-  if (const sph::Trial* failing = stability.factor_of_safety.failing_trial())
-    stability.mechanism = sph::find_mechanism(stability.particles, failing->state, section);
-  if (input.stability && !analysis.interrupted)
-    stability.critical_circle =
-        timed(analysis, observer, "limit equilibrium",
-              [&] {
-                return find_critical_circle({section, soils, p_w}, stability.mechanism);
-              });
   if (input.run_out && !analysis.interrupted)
-    analysis.run_out =
-        timed(analysis, observer, "run-out",
-              [&] { return run_out(input, section, soils, p_w, stability, frames, observer); });
+    analysis.run_out = timed(analysis, observer, "run-out",
+                             [&] { return run_out(scene, stability, frames, observer); });
   if (analysis.run_out)
   {
-    stability.particle_steps += static_cast<double>(analysis.run_out->motion.steps) *
-                                static_cast<double>(stability.particles.size());
+    stability.particle_steps +=
+        body.particle_steps(static_cast<double>(analysis.run_out->motion.steps));
     analysis.interrupted = analysis.run_out->motion.interrupted;
   }
   return analysis;

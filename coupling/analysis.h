@@ -5,6 +5,7 @@
 #include "core/stopwatch.h"
 #include "coupling/case.h"
 #include "coupling/limit_equilibrium.h"
+#include "coupling/region.h"
 #include "meshes/section.h"
 #include "seepage/solution.h"
 #include "sph/mechanism.h"
@@ -25,9 +26,19 @@ struct CoarseFactor
 {
   double spacing = 0; ///< [m]
   double stands = 0, fails = 0;
-  double particle_steps = 0;
 
   [[nodiscard]] double factor() const { return 0.5 * (stands + fails); }
+};
+
+/// The answer of one search: by what the strength in a region is divided when the slope fails, and
+/// how it fails then.
+struct FoundFactor
+{
+  Region region;
+  sph::FactorOfSafety F;
+  std::optional<CoarseFactor> coarse;        ///< where it was worth its while
+  std::optional<sph::Mechanism> mechanism;   ///< of the failing trial
+  std::optional<SlipCircle> critical_circle; ///< by limit equilibrium, to the side of the mechanism
 };
 
 /// What the soil stage leaves behind.
@@ -38,11 +49,12 @@ struct Stability
   sph::State settled;                ///< in elastic equilibrium, displacements set to zero
   double settlement = 0;             ///< largest displacement while settling [m]
   Polyline free_surface;             ///< the line of the hydrostatic mode; empty otherwise [m]
-  sph::FactorOfSafety factor_of_safety;
-  std::optional<CoarseFactor> coarse;        ///< where it was worth its while
-  std::optional<sph::Mechanism> mechanism;   ///< of the failing trial
-  std::optional<SlipCircle> critical_circle; ///< by limit equilibrium, to the side of the mechanism
-  double particle_steps = 0; ///< particles times steps: settling, all trials, run-out [-]
+  std::vector<FoundFactor> searches; ///< in the order in which they ran; empty if not asked for
+  double particle_steps = 0;         ///< particles times steps: settling, all trials, run-out [-]
+
+  /// The search that failed at the smallest factor, the first of equals: its factor is that of the
+  /// section. Pre: there is one.
+  [[nodiscard]] const FoundFactor& governing() const;
 };
 
 /// Soil that failed and flowed.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tensor.h"
+#include "coupling/region.h"
 #include "meshes/section.h"
 #include "seepage/seepage.h"
 #include "sph/run_out.h"
@@ -78,6 +79,7 @@ struct Case
   SphSettings sph;
   bool stability = true; ///< whether to look for the factor of safety
   sph::SearchSettings search;
+  SearchScope scope;
   std::optional<RunOutSettings> run_out; ///< only where asked for
   Output output;
 };

@@ -92,11 +92,11 @@ TEST(RunWriter, AStageThatDidNotRunIsAbsent)
 TEST(RunWriter, AnUndecidedSearchIsWrittenAsSuch)
 {
   coupling::Analysis analysis = small_analysis();
-  auto& factor = analysis.stability->factor_of_safety;
+  auto& factor = analysis.stability->searches[0].F;
   factor.fails.reset();
   factor.complete = false;
   factor.reason = "why";
-  analysis.stability->mechanism.reset();
+  analysis.stability->searches[0].mechanism.reset();
   analysis.interrupted = true;
   const Json json = result_json(small_case(), analysis);
   EXPECT_EQ(json.at("complete"), false);
@@ -140,10 +140,10 @@ TEST(RunWriter, RefusesNaNNamingFieldAndPlaceAndKeepsTheEarlierRun)
   };
   refused("/seepage/discharge_m2_s", [](auto& a) { a.seepage->discharge = NAN; });
   refused("/stability/trials/1/velocity_measure",
-          [](auto& a) { a.stability->factor_of_safety.trials[1].velocity_measure = INFINITY; });
+          [](auto& a) { a.stability->searches[0].F.trials[1].velocity_measure = INFINITY; });
   refused("/mesh/head[2] = nan at (1, 1) m", [](auto& a) { a.seepage->head[2] = NAN; });
   refused("/particles/failing/displacement[1] = inf at (0.5, 0.5) m",
-          [](auto& a) { a.stability->factor_of_safety.trials[1].state.ux[1] = INFINITY; });
+          [](auto& a) { a.stability->searches[0].F.trials[1].state.ux[1] = INFINITY; });
   refused("/particles/settled/stress_xy[2]",
           [](auto& a) { a.stability->settled.stress[2].xy = NAN; });
 }

@@ -46,7 +46,8 @@ inline coupling::Analysis small_analysis()
   sph::State failing = soil.settled;
   failing.ux = {0.25, 0.5, 0.75};
   failing.plastic_strain = {0.1, 0.2, 0.3};
-  sph::FactorOfSafety& factor = soil.factor_of_safety;
+  coupling::FoundFactor& found = soil.searches.emplace_back();
+  sph::FactorOfSafety& factor = found.F;
   factor.stands = 1.5;
   factor.fails = 1.51;
   factor.complete = true;
@@ -58,7 +59,7 @@ inline coupling::Analysis small_analysis()
   factor.trials[1].outcome = sph::Outcome::fails;
   factor.trials[1].history = {{0.25, 0.125, 0.0625}, {0.5, 0.25, 0.75}};
   factor.trials[1].state = failing;
-  soil.mechanism = sph::Mechanism{
+  found.mechanism = sph::Mechanism{
       .slip_line = {{0, 1}, {1, 0.5}}, .depth = 0.5, .kind = "deep slide", .side = "right"};
   soil.particle_steps = 300;
   analysis.stability = soil;

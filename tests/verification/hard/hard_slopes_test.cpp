@@ -26,14 +26,14 @@ Stability reduce(const Case& c)
 
 double factor(const Case& c)
 {
-  const sph::FactorOfSafety F = reduce(c).factor_of_safety;
+  const sph::FactorOfSafety F = reduce(c).governing().F;
   EXPECT_TRUE(F.complete) << F.reason;
   return F.factor().value_or(0);
 }
 
 void expect_same_bracket(const Case& a, const Case& b)
 {
-  const sph::FactorOfSafety F = reduce(a).factor_of_safety, G = reduce(b).factor_of_safety;
+  const sph::FactorOfSafety F = reduce(a).governing().F, G = reduce(b).governing().F;
   ASSERT_TRUE(F.complete && G.complete) << F.reason << G.reason;
   EXPECT_EQ(*F.stands, *G.stands);
   EXPECT_EQ(*F.fails, *G.fails);
@@ -88,17 +88,18 @@ TEST(HardSlope, AnyCohesionHasAFactorOrAReason)
     Case strong = slope(one_in_two, 0, s, 1);
     strong.search.max_factor = 100;
     const Stability answer = reduce(strong);
-    ASSERT_TRUE(answer.factor_of_safety.complete) << c << answer.factor_of_safety.reason;
-    EXPECT_NEAR(*answer.factor_of_safety.factor() / answer.critical_circle.value().bishop, 1, 0.05)
+    ASSERT_TRUE(answer.governing().F.complete) << c << answer.governing().F.reason;
+    EXPECT_NEAR(*answer.governing().F.factor() / answer.governing().critical_circle.value().bishop,
+                1, 0.05)
         << c;
   }
-  const sph::FactorOfSafety beyond = reduce(slope(one_in_two, 0, s, 1)).factor_of_safety;
+  const sph::FactorOfSafety beyond = reduce(slope(one_in_two, 0, s, 1)).governing().F;
   EXPECT_FALSE(beyond.complete);
   EXPECT_EQ(beyond.reason, "it stands even at 20");
 
   // Without cohesion, a skin that creeps: a hundredth of F is undecided, and said to be.
   s.cohesion = 0;
-  const sph::FactorOfSafety skin = reduce(slope(one_in_two, 0, s, 1)).factor_of_safety;
+  const sph::FactorOfSafety skin = reduce(slope(one_in_two, 0, s, 1)).governing().F;
   ASSERT_TRUE(skin.stands && skin.fails);
   EXPECT_LT(*skin.fails - *skin.stands, 0.02 * *skin.stands);
   EXPECT_NEAR(*skin.factor(), 2, 0.06 * 2); // tan(45) / (1/2); one particle of ten is a thick skin
@@ -123,7 +124,7 @@ TEST(HardSlope, SteepAndArtesianPressureStillGetAVerdict)
                                Polyline{{0, 25}, {12, 25}, {32, 10}, {34, 5}, {44, 5}}})
   {
     const sph::FactorOfSafety wet =
-        reduce(slope(one_in_two, 0, soil(10, 20, 20), 1, line)).factor_of_safety;
+        reduce(slope(one_in_two, 0, soil(10, 20, 20), 1, line)).governing().F;
     EXPECT_TRUE(wet.complete) << wet.reason;
     EXPECT_LT(*wet.fails, 1.5); // 1.51 dry
   }

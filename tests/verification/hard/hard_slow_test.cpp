@@ -13,7 +13,7 @@ namespace
 sph::FactorOfSafety reduce(const Case& c)
 {
   Observer silent;
-  return analyse(c, silent).stability.value().factor_of_safety;
+  return analyse(c, silent).stability.value().governing().F;
 }
 } // namespace
 

@@ -22,7 +22,7 @@ double factor(const std::string& variant)
                                           {.overrides = {}, .seepage_only = false}, places);
   Observer silent;
   const coupling::Analysis a = coupling::analyse(c, silent);
-  const sph::FactorOfSafety& F = a.stability.value().factor_of_safety;
+  const sph::FactorOfSafety& F = a.stability.value().governing().F;
   EXPECT_TRUE(F.complete) << F.reason;
   return F.factor().value_or(0);
 }

@@ -46,15 +46,15 @@ void expect_factor(const coupling::Analysis& a, double expected, double toleranc
                    const Circle& circle)
 {
   const auto& stability = a.stability.value();
-  const auto& F = stability.factor_of_safety;
+  const auto& F = stability.governing().F;
   ASSERT_TRUE(F.complete) << F.reason;
   EXPECT_NEAR(*F.factor(), expected, tolerance);
   EXPECT_LE(*F.fails - *F.stands, 0.02);
   for (const sph::Trial& trial : F.trials)
     EXPECT_NE(trial.outcome, sph::Outcome::undecided) << "F = " << trial.factor;
-  ASSERT_TRUE(stability.mechanism.has_value());
-  EXPECT_EQ(stability.mechanism->side, "right");
-  EXPECT_GT(share_near(stability.mechanism->slip_line, circle), 0.6);
+  ASSERT_TRUE(stability.governing().mechanism.has_value());
+  EXPECT_EQ(stability.governing().mechanism->side, "right");
+  EXPECT_GT(share_near(stability.governing().mechanism->slip_line, circle), 0.6);
 }
 } // namespace
 

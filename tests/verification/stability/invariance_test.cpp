@@ -23,7 +23,7 @@ Case dry_embankment()
 sph::FactorOfSafety factor_of(const Case& c)
 {
   Observer silent;
-  return analyse(c, silent).stability.value().factor_of_safety;
+  return analyse(c, silent).stability.value().governing().F;
 }
 
 void expect_same_bracket(const Case& c, const Case& reference)

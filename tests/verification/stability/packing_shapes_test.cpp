@@ -32,7 +32,7 @@ double factor(const meshes::SectionInput& section, const std::vector<sph::Soil>&
   input.sph.packing = packing;
   Observer silent;
   const coupling::Analysis a = coupling::analyse(input, silent);
-  const sph::FactorOfSafety& F = a.stability.value().factor_of_safety;
+  const sph::FactorOfSafety& F = a.stability.value().governing().F;
   EXPECT_TRUE(F.complete) << F.reason;
   return F.factor().value_or(0);
 }

@@ -44,7 +44,7 @@ Stability run(const Case& c)
 
 void expect_factor(const Case& c, double reference, double relative)
 {
-  const auto F = run(c).factor_of_safety;
+  const auto F = run(c).governing().F;
   ASSERT_TRUE(F.complete) << F.reason;
   EXPECT_NEAR(*F.factor() / reference, 1, relative);
 }
@@ -89,8 +89,8 @@ TEST(PublishedSlopes, SubmergedSlopeDoesNotFeelTheDepthOfThePool)
         {{0, 15 * foot}, {30 * foot, 15 * foot}, {105 * foot, 45 * foot}, {140 * foot, 45 * foot}},
         0, s, {{0, level * foot}, {140 * foot, level * foot}});
   };
-  const auto shallow = run(submerged(75)).factor_of_safety;
-  const auto deep = run(submerged(105)).factor_of_safety;
+  const auto shallow = run(submerged(75)).governing().F;
+  const auto deep = run(submerged(105)).governing().F;
   ASSERT_TRUE(shallow.complete && deep.complete);
   EXPECT_EQ(*shallow.stands, *deep.stands); // only differences of pressure enter
   EXPECT_EQ(*shallow.fails, *deep.fails);
@@ -102,9 +102,9 @@ TEST(PublishedSlopes, CohesionlessSlopeFailsAsASkinAtItsAngle)
   const double beta = 20 * pi / 180;
   const Stability s =
       run(slope({{0, 5}, {20, 5}, {20 + 10 / std::tan(beta), 15}, {70, 15}}, 0, soil(0, 35, 20)));
-  ASSERT_TRUE(s.factor_of_safety.complete);
-  EXPECT_NEAR(*s.factor_of_safety.factor() / (std::tan(35 * pi / 180) / std::tan(beta)), 1, 0.02);
-  ASSERT_TRUE(s.mechanism.has_value());
-  EXPECT_EQ(s.mechanism->kind, "surface skin");
+  ASSERT_TRUE(s.governing().F.complete);
+  EXPECT_NEAR(*s.governing().F.factor() / (std::tan(35 * pi / 180) / std::tan(beta)), 1, 0.02);
+  ASSERT_TRUE(s.governing().mechanism.has_value());
+  EXPECT_EQ(s.governing().mechanism->kind, "surface skin");
 }
 } // namespace berm::coupling

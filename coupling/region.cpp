@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/region.h"
+
+#include "core/error.h"
+#include "meshes/planar.h"
+#include "sph/trial.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace berm::coupling
+{
+namespace
+{
+constexpr double crest_share = 0.05; // of the relief, below the highest ground
+
+bool any_contains(const std::vector<Polyline>& polygons, const Vec2& point)
+{
+  return std::any_of(polygons.begin(), polygons.end(),
+                     [&](const Polyline& polygon)
+                     { return meshes::polygon_contains(polygon, point); });
+}
+
+/// From the left end of the ground to the last of its crest, in this direction along it.
+struct BehindTheCrest
+{
+  double x = 0;       ///< of the crest's far end [m]
+  bool slope = false; ///< the ground falls on this side
+};
+
+/// @param[in] ground  From the end on the side in question, [m].
+BehindTheCrest far_end_of_crest(const Polyline& ground)
+{
+  const auto lower = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };
+  const auto [lowest, highest] = std::minmax_element(ground.begin(), ground.end(), lower);
+  const double level = highest->y() - crest_share * (highest->y() - lowest->y());
+  std::size_t last = ground.size() - 1;
+  while (ground[last].y() < level)
+    --last;
+  BehindTheCrest result{.x = ground[last].x()};
+  if (last + 1 < ground.size())
+  {
+    const Vec2 &a = ground[last], &b = ground[last + 1];
+    result.x = a.x() + (b.x() - a.x()) * (a.y() - level) / (a.y() - b.y());
+  }
+  result.slope = std::any_of(ground.begin(), ground.begin() + static_cast<std::ptrdiff_t>(last),
+                             [level](const Vec2& p) { return p.y() < level; });
+  return result;
+}
+
+/// Cuts a region down to one side.
+Region on_side(Region region, Side side, const meshes::Section& section)
+{
+  if (side == Side::any)
+    return region;
+  const bool left = side == Side::left;
+  Polyline ground = section.ground;
+  if (!left)
+    std::reverse(ground.begin(), ground.end());
+  const BehindTheCrest crest = far_end_of_crest(ground);
+  const char* word = left ? "left" : "right";
+  if (!crest.slope)
+    throw InputError({{.key = "stability.side",
+                       .value = {},
+                       .problem = fmt::format("there is no slope on the {} side: the ground does "
+                                              "not fall from its highest part to the {}",
+                                              word, word),
+                       .allowed = {},
+                       .hint = fmt::format("\"{}\", or \"any\"", left ? "right" : "left")}});
+  const bool whole = region.inside.empty() && region.outside.empty();
+  region.name = fmt::format("{}{} side", whole ? "" : region.name + ", ", word);
+  region.side = side;
+  (left ? region.x_right : region.x_left) = crest.x;
+  return region;
+}
+} // namespace
+
+bool Region::contains(const Vec2& point) const
+{
+  if (point.x() < x_left || point.x() > x_right)
+    return false;
+  if ((!inside.empty() && !any_contains(inside, point)) || any_contains(outside, point))
+    return false;
+  for (std::size_t k = 1; k < ground.size(); ++k)
+    if (meshes::distance(point, ground[k - 1], ground[k]) < min_depth)
+      return false;
+  return true;
+}
+
+Region allowed_region(const SearchScope& scope, const meshes::Section& section)
+{
+  Region region;
+  region.inside = scope.inside;
+  region.outside = scope.outside;
+  if (!scope.inside.empty() || !scope.outside.empty())
+    region.name = "search region";
+  return scope.side == Side::both ? region : on_side(std::move(region), scope.side, section);
+}
+
+std::vector<Region> regions(const SearchScope& scope, const meshes::Section& section)
+{
+  SearchScope any_side = scope;
+  any_side.side = Side::any;
+  const Region all = allowed_region(any_side, section);
+  std::vector<Region> list;
+  const std::vector<Side> sides =
+      scope.side == Side::both ? std::vector{Side::left, Side::right} : std::vector{scope.side};
+  for (const Side side : sides)
+  {
+    list.push_back(on_side(all, side, section));
+    if (scope.min_depth <= 0)
+      continue;
+    Region deep = list.back();
+    deep.name += fmt::format(", below {:g} m", scope.min_depth);
+    deep.min_depth = scope.min_depth;
+    deep.ground = section.ground;
+    list.push_back(std::move(deep));
+  }
+  return list;
+}
+
+bool holds_soil(const Region& region, const meshes::Section& section)
+{
+  constexpr int points = 200;
+  Vec2 lower{section.x_min, section.y_min}, upper{section.x_max, section.y_max};
+  if (!region.inside.empty())
+  {
+    Vec2 first = upper, last = lower; // of the polygons
+    for (const Polyline& polygon : region.inside)
+      for (const Vec2& p : polygon)
+      {
+        first = first.cwiseMin(p);
+        last = last.cwiseMax(p);
+      }
+    lower = lower.cwiseMax(first);
+    upper = upper.cwiseMin(last);
+  }
+  if (upper.x() <= lower.x() || upper.y() <= lower.y())
+    return false;
+  for (int k = 0; k < points * points; ++k)
+  {
+    const Vec2 share{(k % points + 0.5) / points, (k / points + 0.5) / points};
+    const Vec2 p = lower + share.cwiseProduct(upper - lower);
+    if (meshes::polygon_contains(section.outline, p) && region.contains(p))
+      return true;
+  }
+  return false;
+}
+
+std::vector<Index> strength_index(const Region& region, const sph::Particles& particles,
+                                  std::size_t soils)
+{
+  std::vector<Index> index = particles.soil;
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (!region.contains({particles.x[i], particles.y[i]}))
+      index[i] += static_cast<Index>(soils);
+  return index;
+}
+
+std::vector<sph::Cone> cones_in_region(std::span<const sph::Soil> soils, double factor,
+                                       const std::string& cone)
+{
+  std::vector<sph::Cone> cones = sph::reduced_cones(soils, factor, cone);
+  const std::vector<sph::Cone> held = sph::reduced_cones(soils, std::min(factor, 1.0), cone);
+  cones.insert(cones.end(), held.begin(), held.end());
+  return cones;
+}
+} // namespace berm::coupling
