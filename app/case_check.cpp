@@ -60,6 +60,25 @@ std::string points_problem(const TomlValue& value, const Key& key, Polyline& poi
   return {};
 }
 
+/// One polygon, or a list of polygons.
+std::string polygons_problem(const TomlValue& value, const Key& key,
+                             std::vector<Polyline>& polygons)
+{
+  const auto first_of = [](const TomlValue::Array* array)
+  { return array == nullptr || array->empty() ? nullptr : array->front().array(); };
+  const auto* outer = value.array();
+  const auto* second = first_of(outer);
+  if (first_of(second) == nullptr)
+    return points_problem(value, key, polygons.emplace_back());
+  for (const TomlValue& polygon : *outer)
+  {
+    const std::string problem = points_problem(polygon, key, polygons.emplace_back());
+    if (!problem.empty())
+      return fmt::format("polygon {}: {}", polygons.size(), problem);
+  }
+  return outer->size() > most_tables ? fmt::format("has more than {} polygons", most_tables) : "";
+}
+
 std::string numbers_problem(const TomlValue& value, const Key& key, std::vector<double>& numbers)
 {
   const auto* array = value.array();
@@ -98,6 +117,7 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
   };
   double number = 0;
   Polyline points;
+  std::vector<Polyline> polygons;
   std::vector<double> numbers;
   std::string problem;
   switch (key.type)
@@ -129,6 +149,9 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
   case ValueType::points:
     problem = points_problem(value, key, points);
     return keep(problem, points);
+  case ValueType::polygons:
+    problem = polygons_problem(value, key, polygons);
+    return keep(problem, polygons);
   case ValueType::level_or_polyline:
     if (value.array() != nullptr)
     {

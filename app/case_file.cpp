@@ -4,6 +4,8 @@
 #include "app/case_check.h"
 #include "app/toml_document.h"
 #include "app/version.h"
+#include "meshes/drawing.h"
+#include "sph/fill.h"
 
 #include <fmt/format.h>
 
@@ -263,6 +265,7 @@ private:
       case_.search.upper = (*range)[1];
     }
     case_.search.tolerance = number("stability.tolerance", case_.search.tolerance);
+    assemble_scope();
     case_.stability = values_.get<bool>("stability.enabled").value_or(true) && !seepage_only_;
     if (!case_.stability && !values_.run_out &&
         case_.water.pore_pressure != PorePressureKind::seepage)
@@ -273,6 +276,43 @@ private:
     assemble_run_out();
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+  }
+
+  void assemble_scope()
+  {
+    using coupling::Side;
+    auto& scope = case_.scope;
+    const auto side = values_.get<std::string>("stability.side").value_or("any");
+    scope.side = side == "left"    ? Side::left
+                 : side == "right" ? Side::right
+                 : side == "both"  ? Side::both
+                                   : Side::any;
+    scope.inside = polygons("stability.search_region_m");
+    scope.outside = polygons("stability.exclude_region_m");
+    scope.min_depth = number("stability.min_depth_m", 0);
+  }
+
+  /// Simple polygons; what is not is reported and left out.
+  std::vector<Polyline> polygons(const char* key)
+  {
+    std::vector<Polyline> list;
+    auto given = values_.get<std::vector<Polyline>>(key).value_or(std::vector<Polyline>{});
+    for (std::size_t i = 0; i < given.size(); ++i)
+    {
+      const Polyline polygon = meshes::opened(given[i]);
+      std::vector<Mistake> wrong;
+      if (meshes::check_points(key, polygon, true, wrong))
+        meshes::check_simple(key, polygon, true, wrong);
+      for (Mistake& mistake : wrong)
+      {
+        if (given.size() > 1)
+          mistake.problem = fmt::format("polygon {}: {}", i + 1, mistake.problem);
+        add(std::move(mistake));
+      }
+      if (wrong.empty())
+        list.push_back(polygon);
+    }
+    return list;
   }
 
   void assemble_run_out()
@@ -332,6 +372,7 @@ private:
       return;
     }
     check_sizes(section);
+    check_scope(section);
     check_water_enters(section);
     const Polyline& probes = case_.output.probes;
     for (std::size_t i = 0; i < probes.size(); ++i)
@@ -360,6 +401,48 @@ private:
     check("sph.spacing_m", case_.sph.spacing, 1);
     if (case_.water.pore_pressure == PorePressureKind::seepage)
       check("seepage.element_size_m", case_.seepage.element_size, 2.3);
+  }
+
+  /// Every search has soil to weaken.
+  void check_scope(const meshes::Section& section)
+  {
+    const auto& scope = case_.scope;
+    const auto check_polygons = [&](const char* key, const std::vector<Polyline>& list)
+    {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (!coupling::holds_soil({.inside = {list[i]}, .outside = {}, .ground = {}}, section))
+          add({.key = key,
+               .value = meshes::text(list[i].front()) + " ...",
+               .problem = list.size() > 1
+                              ? fmt::format("polygon {} holds no part of the section", i + 1)
+                              : "holds no part of the section"});
+    };
+    check_polygons("stability.search_region_m", scope.inside);
+    check_polygons("stability.exclude_region_m", scope.outside);
+    const double spacing =
+        case_.sph.spacing > 0 ? case_.sph.spacing : sph::default_spacing(section);
+    if (scope.min_depth > 0 && scope.min_depth < 2 * spacing)
+      add({.key = "stability.min_depth_m",
+           .value = fmt::format("{}", scope.min_depth),
+           .allowed =
+               fmt::format("min_depth_m >= {:.4g}, two spacings of the particles", 2 * spacing)});
+    const bool right_so_far =
+        std::none_of(mistakes_.begin(), mistakes_.end(),
+                     [](const Mistake& m) { return m.key.starts_with("stability."); });
+    if (!right_so_far)
+      return;
+    try
+    {
+      for (const coupling::Region& region : coupling::regions(scope, section))
+        if (!coupling::holds_soil(region, section))
+          add({.key = region.min_depth > 0 ? "stability.min_depth_m" : "stability.search_region_m",
+               .problem = fmt::format("leaves no soil to weaken: {}", region.name),
+               .hint = "side, search_region_m, exclude_region_m and min_depth_m hold together"});
+    }
+    catch (const InputError& e)
+    {
+      mistakes_.insert(mistakes_.end(), e.mistakes().begin(), e.mistakes().end());
+    }
   }
 
   void check_water_enters(const meshes::Section& section)

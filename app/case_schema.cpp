@@ -244,6 +244,40 @@ const std::vector<Key> table = {
      .presence = defaulted,
      .otherwise = "0.01",
      .sentence = "Half the width of the final bracket of the factor of safety."},
+    {.path = "stability.side",
+     .type = choice,
+     .choices = {"any", "left", "right", "both"},
+     .presence = defaulted,
+     .otherwise = "\"any\"",
+     .sentence =
+         "Where the strength is reduced: everywhere; only on the `left` or `right` side, the crest "
+         "included; or on `both`, each in a search of its own, the weaker one governing. The crest "
+         "is the ground at most a twentieth of the relief below its highest point."},
+    {.path = "stability.search_region_m",
+     .unit = "m",
+     .type = polygons,
+     .range = coordinate,
+     .least_points = 3,
+     .presence = optional,
+     .otherwise = "everywhere",
+     .sentence = "Polygon, or list of polygons, outside which soil keeps its strength."},
+    {.path = "stability.exclude_region_m",
+     .unit = "m",
+     .type = polygons,
+     .range = coordinate,
+     .least_points = 3,
+     .presence = optional,
+     .otherwise = "nothing",
+     .sentence = "Polygon, or list of polygons, inside which soil keeps its strength."},
+    {.path = "stability.min_depth_m",
+     .unit = "m",
+     .type = number,
+     .range = length,
+     .presence = optional,
+     .otherwise = "no further search",
+     .sentence =
+         "Asks for a further search, in which soil nearer than this to the ground keeps its "
+         "strength: the mechanism below a skin. At least two spacings."},
 
     {.path = "runout.factor",
      .unit = "-",
@@ -342,6 +376,9 @@ std::string allowed_text(const Key& key)
   case points:
     return fmt::format("[[x, y], ...], at least {} {}, {}", key.least_points,
                        key.least_points == 1 ? "point" : "points", range_text(key.range, "x, y"));
+  case polygons:
+    return fmt::format("[[x, y], ...], at least {} points, or a list of such, {}", key.least_points,
+                       range_text(key.range, "x, y"));
   case level_or_polyline:
     return fmt::format("a level or [[x, y], ...], {}", range_text(key.range, "x, y"));
   case conductivity:

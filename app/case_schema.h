@@ -18,6 +18,7 @@ enum class ValueType
   integer,           ///< whole, within Key::range
   boolean,           ///< true or false
   points,            ///< [[x, y], ...], at least Key::least_points
+  polygons,          ///< [[x, y], ...], at least Key::least_points, or a list of such
   level_or_polyline, ///< a number, or [[x, y], ...]
   conductivity,      ///< a number, or [kx, ky]; each within Key::range
   interval           ///< [lower, upper], lower < upper, both within Key::range

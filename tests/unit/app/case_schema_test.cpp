@@ -46,6 +46,10 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"sph.threads", "1"},
     {"stability.factor_range", "[1, 2]"},
     {"stability.tolerance", "0.02"},
+    {"stability.search_region_m",
+     "[[[0, -5], [20, -5], [20, 12], [0, 12]], [[20, -5], [40, -5], [40, 9]]]"},
+    {"stability.exclude_region_m", "[[1, 1], [2, 1], [2, 2]]"},
+    {"stability.min_depth_m", "1.5"},
     {"runout.factor", "1"},
     {"runout.duration_s", "20"},
     {"runout.frame_interval_s", "0.5"},
@@ -150,6 +154,8 @@ std::string with_number(const Key& key, const std::string& number)
   {
   case ValueType::points:
     return fmt::format("[[{}, 0], [1, 1], [2, 0]]", number);
+  case ValueType::polygons:
+    return fmt::format("[[[0, 0], [1, 0], [0, 1]], [[{}, 0], [1, 1], [2, 0]]]", number);
   case ValueType::interval:
     return fmt::format("[{}, {}]", number, number);
   default:
