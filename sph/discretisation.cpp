@@ -158,6 +158,9 @@ Discretisation discretise(const Particles& particles, std::span<const Soil> soil
     }
   }
 
+  if (particles.packing == "columns")
+    d.panels = arrange_panels(d, x, y);
+
   // Step 4: body forces.
   const std::vector<Vec2> push = pore_pressure_acceleration(particles, p_w, d.h);
   for (const Vec2& a : push)

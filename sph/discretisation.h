@@ -4,6 +4,7 @@
 #include "meshes/section.h"
 #include "sph/drucker_prager.h"
 #include "sph/neighbours.h"
+#include "sph/panels.h"
 #include "sph/particles.h"
 #include "sph/soil.h"
 #include "sph/walls.h"
@@ -25,8 +26,9 @@ struct Discretisation
   NeighbourList neighbours; ///< of particles, among particles and ghosts
   std::vector<std::array<double, 2>> G; ///< G_ij = V_j grad_i W_ij for each pair [1/m]
   std::vector<double> viscosity;        ///< s_ij of eq. (3.9) for each pair [m2/s]
-  std::vector<SymTensor> B;             ///< gradient correction of each particle (xx, yy, xy) [-]
-  std::vector<Ghost> ghosts;            ///< ordered by source
+  Panels panels; ///< the same pairs for particles in columns; without blocks for other packings
+  std::vector<SymTensor> B;  ///< gradient correction of each particle (xx, yy, xy) [-]
+  std::vector<Ghost> ghosts; ///< ordered by source
   std::vector<Index>
       ghost_begin; ///< ghosts of particle i: ghost_begin[i] .. ghost_begin[i+1], shape (n + 1)
   std::vector<double> bx, by;   ///< gravity plus the pore pressure's push [m/s2], shape (n)

@@ -14,9 +14,8 @@ constexpr double local_damping = 0.8; // F does not depend on it between 0.7 and
 
 SoilModel::SoilModel(const Discretisation& d)
     : n(d.n), T0(d.T0), d_ref(d.d_ref),
-      solver(
-          [&d](std::vector<Cone> cones, const State& start)
-          { return std::make_unique<TotalLagrangian>(d, std::move(cones), local_damping, start); })
+      solver([&d](const std::vector<Cone>& cones, const State& start)
+             { return std::make_unique<TotalLagrangian>(d, cones, local_damping, start); })
 {
 }
 

@@ -9,7 +9,7 @@ namespace berm::sph
 /// The undamped scheme is stable below 4. Power iteration with one time step as the operator; the
 /// start is a fixed pseudo-random field, so that the result is repeatable. Cost: `iterations` time
 /// steps.
-[[nodiscard]] double stability_number(Discretisation d, int iterations = 60);
+[[nodiscard]] double stability_number(const Discretisation& d, int iterations = 60);
 
 /// @brief Shorten d.dt where the Courant number alone would not do: docs/theory.md eq. (3.10).
 /// Soil that thins out on its base, and very uneven packings, are stiffer than their spacing says.

@@ -4,170 +4,269 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/core.h>
-#include <utility>
+#include <map>
 
 namespace berm::sph
 {
-TotalLagrangian::TotalLagrangian(const Discretisation& discretisation, std::vector<Cone> cones,
-                                 double damping, const State& start)
-    : d_(discretisation), cones_(std::move(cones)), damping_(damping),
-      v_(static_cast<std::size_t>(d_.n) + d_.ghosts.size()), T_(v_.size()), sig_(start.stress),
-      ux_(start.ux), uy_(start.uy), plastic_strain_(start.plastic_strain),
-      viscous_(start.ux.size(), Vec2::Zero())
+namespace
 {
-  for (std::size_t i = 0; i < ux_.size(); ++i)
+constexpr long passes_at_a_time = 8; // measured: docs/performance.md
+
+std::variant<ListSums, PanelSums> pair_sums(const Discretisation& d)
+{
+  if (d.panels.block.empty())
+    return ListSums(d);
+  return PanelSums(d);
+}
+} // namespace
+
+TotalLagrangian::TotalLagrangian(const Discretisation& discretisation,
+                                 const std::vector<Cone>& cones, double damping, const State& start,
+                                 const TotalLagrangianTerms& terms)
+    : d_(discretisation), elastic_(cones.empty()), damping_(damping), viscosity_(terms.viscosity),
+      sums_(pair_sums(d_)),
+      lane_(std::visit([this](const auto& sums) { return sums.lanes(d_.n); }, sums_)),
+      wavefront_(std::visit([](const auto& sums)
+                            { return Wavefront(sums.blocks(), sums.reach(), passes_at_a_time); },
+                            sums_))
+{
+  make_blocks(cones);
+  make_images(terms.body_forces);
+  if (!terms.body_forces)
+    for (Block& block : blocks_)
+      block.bx = block.by = Wide{};
+  restart(start);
+}
+
+void TotalLagrangian::make_blocks(const std::vector<Cone>& cones)
+{
+  blocks_.resize(
+      static_cast<std::size_t>(std::visit([](const auto& sums) { return sums.blocks(); }, sums_)));
+  std::vector<std::array<Index, wide_lanes>> soil(
+      blocks_.size()); // free lanes: soil 0, whatever it is
+  for (std::size_t i = 0; i < lane_.size(); ++i)
   {
-    store_velocity(i, start.vx[i], start.vy[i]);
-    store_stress(i, sig_[i]);
+    const std::size_t b = static_cast<std::size_t>(lane_[i]) / wide_lanes,
+                      l = static_cast<std::size_t>(lane_[i]) % wide_lanes;
+    Block& block = blocks_[b];
+    block.Bxx[l] = d_.B[i].xx;
+    block.Byy[l] = d_.B[i].yy;
+    block.Bxy[l] = d_.B[i].xy;
+    block.specific_volume[l] = 1 / d_.density[i];
+    block.bx[l] = d_.bx[i];
+    block.by[l] = d_.by[i];
+    soil[b][l] = d_.soil[i];
+  }
+  std::map<std::array<Index, wide_lanes>, std::size_t> known;
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+  {
+    const auto [entry, is_new] = known.try_emplace(soil[b], soils_.size());
+    blocks_[b].soil = entry->second;
+    if (!is_new)
+      continue;
+    WideSoil& mixture = soils_.emplace_back();
+    for (std::size_t l = 0; l < wide_lanes; ++l)
+    {
+      const auto s = static_cast<std::size_t>(soil[b][l]);
+      mixture.set(l, d_.elastic[s], elastic_ ? Cone{} : cones[s]);
+    }
   }
 }
 
-void TotalLagrangian::store_velocity(std::size_t i, double vx, double vy)
+void TotalLagrangian::make_images(bool body_forces)
 {
-  v_[i] = Lanes{vx, vx, vy, vy};
-  const auto n = static_cast<std::size_t>(d_.n);
-  for (Index g = d_.ghost_begin[i]; g < d_.ghost_begin[i + 1]; ++g)
+  for (const Ghost& ghost : d_.ghosts) // ordered by source, as the blocks are
   {
-    const Ghost& ghost = d_.ghosts[static_cast<std::size_t>(g)];
-    const double gx = ghost.sign_vx * vx, gy = ghost.sign_vy * vy;
-    v_[n + static_cast<std::size_t>(g)] = Lanes{gx, gx, gy, gy};
+    const auto i = static_cast<std::size_t>(ghost.source);
+    const std::size_t b = static_cast<std::size_t>(lane_[i]) / wide_lanes;
+    const Index point =
+        std::visit([&](const auto& sums)
+                   { return sums.point(static_cast<std::size_t>(d_.n) + images_.size()); },
+                   sums_);
+    if (blocks_[b].images_end == 0)
+      blocks_[b].images_begin = images_.size();
+    images_.push_back({.lane = static_cast<std::size_t>(lane_[i]) % wide_lanes,
+                       .point = point,
+                       .sign_vx = ghost.sign_vx,
+                       .sign_vy = ghost.sign_vy,
+                       .sign_sxy = ghost.sign_sxy,
+                       .sign_Bxy = ghost.sign_Bxy,
+                       .lift = body_forces ? ghost.depth_below * d_.density[i] * d_.by[i] : 0});
+    blocks_[b].images_end = images_.size();
   }
 }
 
-void TotalLagrangian::store_stress(std::size_t i, const SymTensor& sig)
+void TotalLagrangian::restart(const State& start)
 {
-  sig_[i] = sig;
-  const SymTensor& B = d_.B[i];
-  const auto times_B = [&B](const SymTensor& s, double B_xy)
+  std::vector<BlockVector> v(blocks_.size());
+  for (std::size_t i = 0; i < lane_.size(); ++i)
   {
-    return Lanes{s.xx * B.xx + s.xy * B_xy, s.xx * B_xy + s.xy * B.yy, s.xy * B.xx + s.yy * B_xy,
-                 s.xy * B_xy + s.yy * B.yy};
-  };
-  T_[i] = times_B(sig, B.xy);
-  const auto n = static_cast<std::size_t>(d_.n);
-  for (Index g = d_.ghost_begin[i]; g < d_.ghost_begin[i + 1]; ++g)
+    const std::size_t b = static_cast<std::size_t>(lane_[i]) / wide_lanes,
+                      l = static_cast<std::size_t>(lane_[i]) % wide_lanes;
+    Block& block = blocks_[b];
+    block.sig.xx[l] = start.stress[i].xx;
+    block.sig.yy[l] = start.stress[i].yy;
+    block.sig.zz[l] = start.stress[i].zz;
+    block.sig.xy[l] = start.stress[i].xy;
+    block.plastic_strain[l] = start.plastic_strain[i];
+    block.ux[l] = start.ux[i];
+    block.uy[l] = start.uy[i];
+    v[b].x[l] = start.vx[i];
+    v[b].y[l] = start.vy[i];
+  }
+  std::visit(
+      [&](auto& sums)
+      {
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+        {
+          store_velocity(sums, b, v[b]);
+          store_stress(sums, b);
+        }
+      },
+      sums_);
+}
+
+template <class Sums>
+void TotalLagrangian::store_velocity(Sums& sums, std::size_t b, const BlockVector& v) const
+{
+  sums.set_velocity(b, v);
+  for (std::size_t k = blocks_[b].images_begin; k < blocks_[b].images_end; ++k)
   {
-    const Ghost& ghost = d_.ghosts[static_cast<std::size_t>(g)];
-    SymTensor image = sig;
-    image.xy *= ghost.sign_sxy;
-    image.yy += ghost.depth_below * d_.density[i] * d_.by[i]; // geostatic gradient below the base
-    T_[n + static_cast<std::size_t>(g)] = times_B(image, ghost.sign_Bxy * B.xy);
+    const Image& image = images_[k];
+    sums.set_velocity_of_point(image.point, image.sign_vx * v.x[image.lane],
+                               image.sign_vy * v.y[image.lane]);
   }
 }
 
-void TotalLagrangian::update_stress(std::size_t i)
+template <class Sums>
+void TotalLagrangian::store_stress(Sums& sums, std::size_t b) const
 {
-  // Step 1: sum_j (v_j - v_i) (x) G_ij, and the viscous acceleration sum_j s_ij ((v_j - v_i).G) G.
-  const auto begin = static_cast<std::size_t>(d_.neighbours.begin[i]);
-  const auto end = static_cast<std::size_t>(d_.neighbours.begin[i + 1]);
-  const Lanes v_i = v_[i];
-  Lanes L = {0, 0, 0, 0}, f = {0, 0, 0, 0};
-  for (std::size_t k = begin; k < end; ++k)
+  const Block& block = blocks_[b];
+  const WideStress& s = block.sig;
+  sums.set_T(b, {s.xx * block.Bxx + s.xy * block.Bxy, s.xx * block.Bxy + s.xy * block.Byy,
+                 s.xy * block.Bxx + s.yy * block.Bxy, s.xy * block.Bxy + s.yy * block.Byy});
+  for (std::size_t k = block.images_begin; k < block.images_end; ++k)
   {
-    const auto j = static_cast<std::size_t>(d_.neighbours.index[k]);
-    const double gx = d_.G[k][0], gy = d_.G[k][1];
-    const Lanes G = {gx, gy, gx, gy};
-    const Lanes product = (v_[j] - v_i) * G;
-    L += product;
-    f += (d_.viscosity[k] * (product[0] + product[3])) * G;
+    const Image& image = images_[k];
+    const std::size_t l = image.lane;
+    const double xx = s.xx[l], yy = s.yy[l] + image.lift, xy = image.sign_sxy * s.xy[l];
+    const double B_xx = block.Bxx[l], B_yy = block.Byy[l], B_xy = image.sign_Bxy * block.Bxy[l];
+    sums.set_T_of_point(image.point, xx * B_xx + xy * B_xy, xx * B_xy + xy * B_yy,
+                        xy * B_xx + yy * B_xy, xy * B_xy + yy * B_yy);
   }
-  viscous_[i] = {f[0], f[1]};
+}
+
+template <class Sums>
+void TotalLagrangian::update_stress(Sums& sums, std::size_t b)
+{
+  // Step 1: the sums over pairs.
+  Block& block = blocks_[b];
+  const BlockGradient L = sums.gradient(b);
+  block.fx = L.fx;
+  block.fy = L.fy;
 
   // Step 2: velocity gradient (sum) B, rate of deformation and spin.
-  const SymTensor& B = d_.B[i];
-  const double v_xx = L[0] * B.xx + L[1] * B.xy, v_xy = L[0] * B.xy + L[1] * B.yy;
-  const double v_yx = L[2] * B.xx + L[3] * B.xy, v_yy = L[2] * B.xy + L[3] * B.yy;
-  const double D_xy = 0.5 * (v_xy + v_yx), omega = 0.5 * (v_xy - v_yx);
+  const Wide v_xx = L.xx * block.Bxx + L.xy * block.Bxy, v_xy = L.xx * block.Bxy + L.xy * block.Byy;
+  const Wide v_yx = L.yx * block.Bxx + L.yy * block.Bxy, v_yy = L.yx * block.Bxy + L.yy * block.Byy;
+  const Wide twice_D_xy = v_xy + v_yx, twice_omega = v_xy - v_yx;
 
   // Step 3: elastic trial stress with the Jaumann rate.
-  const auto soil = static_cast<std::size_t>(d_.soil[i]);
-  const Elastic& e = d_.elastic[soil];
-  const SymTensor& s = sig_[i];
-  const double pressure_rate = (e.K - 2 * e.G / 3) * (v_xx + v_yy);
-  const SymTensor trial = {s.xx + d_.dt * (pressure_rate + 2 * e.G * v_xx + 2 * omega * s.xy),
-                           s.yy + d_.dt * (pressure_rate + 2 * e.G * v_yy - 2 * omega * s.xy),
-                           s.zz + d_.dt * pressure_rate,
-                           s.xy + d_.dt * (2 * e.G * D_xy + omega * (s.yy - s.xx))};
+  const WideSoil& soil = soils_[block.soil];
+  WideStress& s = block.sig;
+  const Wide pressure_rate = soil.lambda * (v_xx + v_yy);
+  const Wide turn_x = twice_omega * s.xy, turn_xy = 0.5 * twice_omega * (s.yy - s.xx);
+  s.xx += d_.dt * (pressure_rate + 2 * soil.G * v_xx + turn_x);
+  s.yy += d_.dt * (pressure_rate + 2 * soil.G * v_yy - turn_x);
+  s.zz += d_.dt * pressure_rate;
+  s.xy += d_.dt * (soil.G * twice_D_xy + turn_xy);
 
   // Step 4: return to the cone.
-  if (cones_.empty())
-  {
-    store_stress(i, trial);
-    return;
-  }
-  const Returned returned = return_to_cone(trial, cones_[soil], e);
-  plastic_strain_[i] += returned.plastic_strain;
-  store_stress(i, returned.sig);
+  if (!elastic_)
+    block.plastic_strain += return_to_cone(s, soil);
+  store_stress(sums, b);
 }
 
-void TotalLagrangian::update_motion(std::size_t i)
+template <class Sums>
+void TotalLagrangian::update_motion(Sums& sums, std::size_t b)
 {
   // a_i = (1/rho_i) sum_j (T_i + T_j) G_ij + viscous + body: the adjoint of the strain operator.
-  const auto begin = static_cast<std::size_t>(d_.neighbours.begin[i]);
-  const auto end = static_cast<std::size_t>(d_.neighbours.begin[i + 1]);
-  const Lanes T_i = T_[i];
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t k = begin; k < end; ++k)
-  {
-    const double gx = d_.G[k][0], gy = d_.G[k][1];
-    sum += (T_[static_cast<std::size_t>(d_.neighbours.index[k])] + T_i) * Lanes{gx, gy, gx, gy};
-  }
-  double ax = (sum[0] + sum[1]) / d_.density[i] + viscous_[i].x() + d_.bx[i];
-  double ay = (sum[2] + sum[3]) / d_.density[i] + viscous_[i].y() + d_.by[i];
+  Block& block = blocks_[b];
+  const BlockVector force = sums.divergence(b);
+  Wide ax = force.x * block.specific_volume + viscosity_ * block.fx + block.bx;
+  Wide ay = force.y * block.specific_volume + viscosity_ * block.fy + block.by;
 
   // Cundall's local damping: a fraction of the net force against the motion.
-  double vx = v_[i][0], vy = v_[i][2];
-  ax -= damping_ * std::abs(ax) * static_cast<double>((vx > 0) - (vx < 0));
-  ay -= damping_ * std::abs(ay) * static_cast<double>((vy > 0) - (vy < 0));
+  BlockVector v = sums.velocity(b);
+  ax -= damping_ * abs(ax) * sign(v.x);
+  ay -= damping_ * abs(ay) * sign(v.y);
 
-  vx += d_.dt * ax;
-  vy += d_.dt * ay;
-  ux_[i] += d_.dt * vx;
-  uy_[i] += d_.dt * vy;
-  store_velocity(i, vx, vy);
+  v.x += d_.dt * ax;
+  v.y += d_.dt * ay;
+  block.ux += d_.dt * v.x;
+  block.uy += d_.dt * v.y;
+  store_velocity(sums, b, v);
 }
 
 void TotalLagrangian::advance(long steps)
 {
-  const auto n = static_cast<Index>(d_.n);
-#pragma omp parallel
-  for (long step = 0; step < steps; ++step)
-  {
-#pragma omp for schedule(static)
-    for (Index i = 0; i < n; ++i)
-      update_stress(static_cast<std::size_t>(i));
-#pragma omp for schedule(static)
-    for (Index i = 0; i < n; ++i)
-      update_motion(static_cast<std::size_t>(i));
-  }
+  std::visit(
+      [&](auto& sums)
+      {
+        wavefront_.run(2 * steps,
+                       [&](long pass, std::size_t begin, std::size_t end)
+                       {
+                         for (std::size_t b = begin; b < end; ++b)
+                           if (pass % 2 == 0)
+                             update_stress(sums, b);
+                           else
+                             update_motion(sums, b);
+                       });
+      },
+      sums_);
   steps_ += steps;
 }
 
 double TotalLagrangian::v_rms() const
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < ux_.size(); ++i)
-    sum += v_[i][0] * v_[i][0] + v_[i][2] * v_[i][2];
-  return std::sqrt(sum / static_cast<double>(ux_.size()));
+  Wide squares = {};
+  std::visit(
+      [&](const auto& sums)
+      {
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+        {
+          const BlockVector v = sums.velocity(b);
+          squares += v.x * v.x + v.y * v.y;
+        }
+      },
+      sums_);
+  return std::sqrt(sum(squares) / static_cast<double>(lane_.size()));
 }
 
 double TotalLagrangian::max_displacement() const
 {
-  double largest = 0;
-  for (std::size_t i = 0; i < ux_.size(); ++i)
-    largest = std::max(largest, ux_[i] * ux_[i] + uy_[i] * uy_[i]);
-  return std::sqrt(largest);
+  Wide largest = {};
+  for (const Block& block : blocks_)
+  {
+    const Wide squares = block.ux * block.ux + block.uy * block.uy;
+    largest = squares > largest ? squares : largest;
+  }
+  double most = 0;
+  for (std::size_t l = 0; l < wide_lanes; ++l)
+    most = std::max(most, largest[l]);
+  return std::sqrt(most);
 }
 
 void TotalLagrangian::check_finite() const
 {
-  for (std::size_t i = 0; i < ux_.size(); ++i)
+  const State now = state();
+  for (std::size_t i = 0; i < lane_.size(); ++i)
   {
-    const char* field = !std::isfinite(ux_[i] + uy_[i])            ? "displacement"
-                        : !std::isfinite(I1(sig_[i]) + sig_[i].xy) ? "stress"
-                                                                   : nullptr;
+    const char* field = !std::isfinite(now.ux[i] + now.uy[i])                  ? "displacement"
+                        : !std::isfinite(I1(now.stress[i]) + now.stress[i].xy) ? "stress"
+                                                                               : nullptr;
     if (field != nullptr)
       throw NumericalError(fmt::format("{} of particle {} is not finite at t = {:.6g} s (step {})",
                                        field, i, time(), steps_));
@@ -176,12 +275,29 @@ void TotalLagrangian::check_finite() const
 
 State TotalLagrangian::state() const
 {
-  State state{
-      .ux = ux_, .uy = uy_, .vx = {}, .vy = {}, .stress = sig_, .plastic_strain = plastic_strain_};
-  for (std::size_t i = 0; i < ux_.size(); ++i)
+  const std::size_t n = lane_.size();
+  State state;
+  state.ux = state.uy = state.vx = state.vy = state.plastic_strain = std::vector<double>(n);
+  state.stress.resize(n);
+  std::vector<BlockVector> v(blocks_.size());
+  std::visit(
+      [&](const auto& sums)
+      {
+        for (std::size_t b = 0; b < v.size(); ++b)
+          v[b] = sums.velocity(b);
+      },
+      sums_);
+  for (std::size_t i = 0; i < n; ++i)
   {
-    state.vx.push_back(v_[i][0]);
-    state.vy.push_back(v_[i][2]);
+    const std::size_t b = static_cast<std::size_t>(lane_[i]) / wide_lanes,
+                      l = static_cast<std::size_t>(lane_[i]) % wide_lanes;
+    const Block& block = blocks_[b];
+    state.ux[i] = block.ux[l];
+    state.uy[i] = block.uy[l];
+    state.vx[i] = v[b].x[l];
+    state.vy[i] = v[b].y[l];
+    state.stress[i] = {block.sig.xx[l], block.sig.yy[l], block.sig.zz[l], block.sig.xy[l]};
+    state.plastic_strain[i] = block.plastic_strain[l];
   }
   return state;
 }

@@ -3,26 +3,39 @@
 
 #include "sph/discretisation.h"
 #include "sph/drucker_prager.h"
-#include "sph/lanes.h"
+#include "sph/pair_sums.h"
 #include "sph/particles.h"
 #include "sph/soil_solver.h"
+#include "sph/wavefront.h"
+#include "sph/wide_soil.h"
 
-#include <span>
+#include <variant>
 #include <vector>
 
 namespace berm::sph
 {
-/// Steps the soil through time over a frozen discretisation. docs/theory.md section 3.
-/// Gather form: a point's sums are taken by one thread in the list's order, so every bit of the
-/// result is the same for any number of threads.
+/// What acts on the soil besides its stress.
+struct TotalLagrangianTerms
+{
+  double viscosity = 1;    ///< factor on the artificial viscosity [-]
+  bool body_forces = true; ///< gravity and the pore pressure's push
+};
+
+/// Steps the soil through time over a frozen discretisation: over its panels where it has some,
+/// else over its list of neighbours. docs/theory.md section 3.
+/// Gather form: a point's sums are taken by one thread in a fixed order, so every bit of the result
+/// is the same for any number of threads.
 class TotalLagrangian final : public SoilSolver
 {
 public:
   /// @param[in] discretisation  Must outlive the solver.
   /// @param[in] cones           One for each soil; empty: linear elastic.
   /// @param[in] damping         Cundall's local damping: fraction of the net force [-], [0, 1).
-  TotalLagrangian(const Discretisation& discretisation, std::vector<Cone> cones, double damping,
-                  const State& start);
+  TotalLagrangian(const Discretisation& discretisation, const std::vector<Cone>& cones,
+                  double damping, const State& start, const TotalLagrangianTerms& terms = {});
+
+  /// @brief Begin again from another state, without a new allocation; time and steps go on.
+  void restart(const State& start);
 
   /// @brief Advance by `steps` time steps. Cost O(steps n), no allocation.
   void advance(long steps) override;
@@ -40,19 +53,48 @@ public:
   [[nodiscard]] State state() const override;
 
 private:
-  void update_stress(std::size_t i); ///< pass A: velocity gradient, stress, viscous acceleration
-  void update_motion(std::size_t i); ///< pass B: acceleration, damping, velocity, displacement
-  void store_velocity(std::size_t i, double vx, double vy);
-  void store_stress(std::size_t i, const SymTensor& sig);
+  /// `wide_lanes` particles: what is theirs alone. Free lanes hold zeros and stay zero.
+  struct Block
+  {
+    WideStress sig;                    ///< effective stress [Pa]
+    Wide plastic_strain = {};          ///< [-]
+    Wide ux = {}, uy = {};             ///< displacement [m]
+    Wide fx = {}, fy = {};             ///< acceleration by artificial viscosity [m/s2]
+    Wide Bxx = {}, Byy = {}, Bxy = {}; ///< gradient correction [-]
+    Wide specific_volume = {};         ///< 1 / density [m3/kg]
+    Wide bx = {}, by = {};             ///< body forces [m/s2]
+    std::size_t soil = 0;              ///< in soils_
+    std::size_t images_begin = 0, images_end = 0;
+  };
+  /// The mirror image of one lane behind a wall.
+  struct Image
+  {
+    std::size_t lane = 0;
+    Index point = 0;
+    double sign_vx = 1, sign_vy = 1, sign_sxy = 1, sign_Bxy = 1;
+    double lift = 0; ///< added to sigma_yy: the geostatic gradient below the base [Pa]
+  };
+
+  void make_blocks(const std::vector<Cone>& cones);
+  void make_images(bool body_forces);
+  template <class Sums>
+  void update_stress(Sums& sums, std::size_t b); ///< pass A
+  template <class Sums>
+  void update_motion(Sums& sums, std::size_t b); ///< pass B
+  template <class Sums>
+  void store_velocity(Sums& sums, std::size_t b, const BlockVector& v) const;
+  template <class Sums>
+  void store_stress(Sums& sums, std::size_t b) const;
 
   const Discretisation& d_;
-  std::vector<Cone> cones_;
-  double damping_;
+  bool elastic_;
+  double damping_, viscosity_;
   long steps_ = 0;
-  std::vector<Lanes> v_; ///< {vx, vx, vy, vy} of particles and ghosts [m/s]
-  std::vector<Lanes> T_; ///< sigma B, {xx, xy, yx, yy}, of particles and ghosts [Pa]
-  std::vector<SymTensor> sig_;
-  std::vector<double> ux_, uy_, plastic_strain_;
-  std::vector<Vec2> viscous_; ///< acceleration by artificial viscosity [m/s2]
+  std::variant<ListSums, PanelSums> sums_;
+  std::vector<Index> lane_; ///< of each particle: block times `wide_lanes` plus lane, shape (n)
+  std::vector<Block> blocks_;
+  std::vector<WideSoil> soils_; ///< each mixture of soils that occurs in a block
+  std::vector<Image> images_;   ///< ordered by block
+  Wavefront wavefront_;
 };
 } // namespace berm::sph

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sph/wavefront.h"
+
+#include <algorithm>
+#include <omp.h>
+#include <thread>
+
+namespace berm::sph
+{
+namespace
+{
+constexpr long smallest_strip = 8; // blocks: fewer are not worth the bookkeeping
+}
+
+Wavefront::Wavefront(Index blocks, Index reach, long depth)
+    : blocks_(blocks), strips_(std::max(1L, blocks / std::max(long{reach}, smallest_strip))),
+      depth_(depth), done_(std::make_unique<Done[]>(static_cast<std::size_t>(strips_)))
+{
+}
+
+std::size_t Wavefront::begin(long strip) const
+{
+  return static_cast<std::size_t>(strip * blocks_ / strips_); // none is shorter than the reach
+}
+
+/// Until a strip, if there is one, has taken all passes before this one.
+void Wavefront::wait(long strip, long pass) const
+{
+  if (strip < 0 || strip >= strips_)
+    return;
+  const std::atomic<long>& done = done_[static_cast<std::size_t>(strip)].passes;
+  for (int spins = 0; done.load(std::memory_order_acquire) < start_ + pass; ++spins)
+    if (spins > 1000) // another thread may need this processor
+      std::this_thread::yield();
+}
+
+void Wavefront::run(long passes, const Work& work)
+{
+#pragma omp parallel
+  {
+    // Strip s takes pass p when s-1, s and s+1 have taken pass p-1; s+1 cannot be farther than one
+    // pass ahead, since it waits for s in turn. All threads go through the same order of work and
+    // take every n-th piece of it, so that the earliest piece left can always go on.
+    const long threads = omp_get_num_threads(), me = omp_get_thread_num();
+    const long gap = threads > 1 ? 2 : 1; // 2: the pieces of one wave do not wait for each other
+    for (long first = 0; first < passes; first += depth_)
+    {
+      const long levels = std::min(depth_, passes - first);
+      for (long wave = 0; wave < strips_ + gap * (levels - 1); ++wave)
+        for (long level = 0; level < levels; ++level)
+        {
+          const long strip = wave - gap * level, pass = first + level;
+          if (strip < 0 || strip >= strips_ || (wave + level) % threads != me)
+            continue;
+          for (const long other : {strip - 1, strip, strip + 1})
+            wait(other, pass);
+          work(pass, begin(strip), begin(strip + 1));
+          done_[static_cast<std::size_t>(strip)].passes.store(start_ + pass + 1,
+                                                              std::memory_order_release);
+        }
+    }
+  }
+  start_ += passes;
+}
+} // namespace berm::sph
