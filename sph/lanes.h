@@ -47,14 +47,13 @@ struct Transposed
 [[nodiscard]] inline Transposed transpose(const Lanes& a, const Lanes& b, const Lanes& c,
                                           const Lanes& d)
 {
-  using Mask = long long __attribute__((vector_size(32)));
-  const Lanes ab_even = __builtin_shuffle(a, b, Mask{0, 4, 2, 6});
-  const Lanes ab_odd = __builtin_shuffle(a, b, Mask{1, 5, 3, 7});
-  const Lanes cd_even = __builtin_shuffle(c, d, Mask{0, 4, 2, 6});
-  const Lanes cd_odd = __builtin_shuffle(c, d, Mask{1, 5, 3, 7});
-  return {{__builtin_shuffle(ab_even, cd_even, Mask{0, 1, 4, 5}),
-           __builtin_shuffle(ab_odd, cd_odd, Mask{0, 1, 4, 5}),
-           __builtin_shuffle(ab_even, cd_even, Mask{2, 3, 6, 7}),
-           __builtin_shuffle(ab_odd, cd_odd, Mask{2, 3, 6, 7})}};
+  const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Lanes cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Lanes cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {{__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7),
+           __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)}};
 }
 } // namespace berm::sph

@@ -242,7 +242,7 @@ double TotalLagrangian::v_rms() const
         }
       },
       sums_);
-  return std::sqrt(sum(squares) / static_cast<double>(lane_.size()));
+  return std::sqrt(sum_of_lanes(squares) / static_cast<double>(lane_.size()));
 }
 
 double TotalLagrangian::max_displacement() const

@@ -32,7 +32,7 @@ inline void store_wide(double* to, const Wide& v)
 {
   std::memcpy(to, &v, sizeof v);
 }
-[[nodiscard]] inline Wide sqrt(const Wide& v)
+[[nodiscard]] inline Wide square_root(const Wide& v)
 {
   Wide root;
   for (std::size_t l = 0; l < wide_lanes; ++l)
@@ -48,7 +48,7 @@ inline void store_wide(double* to, const Wide& v)
 {
   return v > 0 ? wide(1) : v < 0 ? wide(-1) : wide(0);
 }
-[[nodiscard]] inline double sum(const Wide& v)
+[[nodiscard]] inline double sum_of_lanes(const Wide& v)
 {
   double total = 0;
   for (std::size_t l = 0; l < wide_lanes; ++l)

@@ -47,7 +47,7 @@ struct WideSoil
 {
   const Wide i1 = sig.xx + sig.yy + sig.zz, p = i1 * (1.0 / 3);
   const Wide dx = sig.xx - p, dy = sig.yy - p, dz = sig.zz - p;
-  const Wide q = sqrt(0.5 * (dx * dx + dy * dy + dz * dz) + sig.xy * sig.xy);
+  const Wide q = square_root(0.5 * (dx * dx + dy * dy + dz * dz) + sig.xy * sig.xy);
 
   const Wide f = q + soil.alpha * i1 - soil.k;
   const Wide dgamma = f * soil.dgamma;
