@@ -128,8 +128,14 @@ void add_mechanism(Page& page, const std::optional<sph::Mechanism>& mechanism)
   page.row("slip surface",
            fmt::format("{} to the {}: enters {}, leaves {}", mechanism->kind, mechanism->side,
                        point_text(mechanism->entry), point_text(mechanism->exit)));
-  page.row("", fmt::format("depth {:.2f} m, volume {:.4g} m3 per m", mechanism->depth,
-                           mechanism->volume));
+  page.row("", fmt::format("depth {:.2f} m, {:.2f} m across; volume {:.4g} m3 per m",
+                           mechanism->depth, mechanism->thickness, mechanism->volume));
+  if (const auto& circle = mechanism->circle)
+    page.row("",
+             fmt::format("circle about ({:.1f}, {:.1f}), radius {:.1f} m, misfit {:.2g} m",
+                         circle->centre.x(), circle->centre.y(), circle->radius, circle->misfit));
+  else
+    page.row("", "near to no circle");
 }
 
 void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& circle)
@@ -181,10 +187,13 @@ void add_stability(Page& page, const coupling::Stability& s)
     page.row("factor of safety", "not asked for");
   if (s.searches.size() == 1)
     add_found(page, s.searches.front());
+  std::size_t width = 16;
+  for (const coupling::FoundFactor& found : s.searches)
+    width = std::max(width, found.region.name.size());
   for (const coupling::FoundFactor& found : s.searches)
     if (s.searches.size() > 1)
-      page.row(found.region.name,
-               factor_text(found.F) + (&found == &s.governing() ? ", governs" : ""));
+      page.line("  {:<{}}  {}{}", found.region.name, width, factor_text(found.F),
+                &found == &s.governing() ? "; governs" : "");
   page.row("particles", particles);
   for (const coupling::FoundFactor& found : s.searches)
   {
@@ -235,15 +244,19 @@ void add_run_out(Page& page, const coupling::RunOut& r, const meshes::Section& s
 
 void add_times(Page& page, const coupling::Analysis& analysis)
 {
-  page.line("\n{:<20}{:>10}{:>10}", "Stage", "wall [s]", "CPU [s]");
+  std::size_t width = 18;
+  for (const coupling::StageSeconds& stage : analysis.stages)
+    width = std::max(width, stage.stage.size());
+  page.line("\n{:<{}}{:>10}{:>10}", "Stage", width + 2, "wall [s]", "CPU [s]");
   Seconds sum;
   for (const coupling::StageSeconds& stage : analysis.stages)
   {
-    page.line("  {:<18}{:>10.2f}{:>10.2f}", stage.stage, stage.seconds.wall, stage.seconds.cpu);
+    page.line("  {:<{}}{:>10.2f}{:>10.2f}", stage.stage, width, stage.seconds.wall,
+              stage.seconds.cpu);
     sum.wall += stage.seconds.wall;
     sum.cpu += stage.seconds.cpu;
   }
-  page.line("  {:<18}{:>10.2f}{:>10.2f}", "all", sum.wall, sum.cpu);
+  page.line("  {:<{}}{:>10.2f}{:>10.2f}", "all", width, sum.wall, sum.cpu);
   if (const auto rate = particle_steps_per_cpu_second(analysis))
     page.line("  {:.3g} particle steps per CPU second", *rate);
 }

@@ -29,6 +29,14 @@ Json points(const Polyline& line)
   return list;
 }
 
+Json polygons(const std::vector<Polyline>& list)
+{
+  Json json = Json::array();
+  for (const Polyline& polygon : list)
+    json.push_back(points(polygon));
+  return json;
+}
+
 template <typename T>
 Json or_null(const std::optional<T>& value)
 {
@@ -90,6 +98,15 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
           {"seconds", seconds(s.seconds)}};
 }
 
+Json fitted_json(const std::optional<sph::FittedCircle>& circle)
+{
+  if (!circle)
+    return nullptr;
+  return {{"centre_m", point(circle->centre)},
+          {"radius_m", circle->radius},
+          {"misfit_m", circle->misfit}};
+}
+
 Json mechanism_json(const std::optional<sph::Mechanism>& mechanism)
 {
   if (!mechanism)
@@ -99,7 +116,10 @@ Json mechanism_json(const std::optional<sph::Mechanism>& mechanism)
           {"entry_m", point(mechanism->entry)},
           {"exit_m", point(mechanism->exit)},
           {"depth_m", mechanism->depth},
+          {"thickness_m", mechanism->thickness},
+          {"length_m", mechanism->length},
           {"volume_m2", mechanism->volume},
+          {"circle", fitted_json(mechanism->circle)},
           {"slip_line_m", points(mechanism->slip_line)}};
 }
 
@@ -193,6 +213,8 @@ Json stability_json(const coupling::Case& input, const coupling::Analysis& analy
                {"spacing_m", s.particles.spacing},
                {"particles", s.particles.size()},
                {"settlement_m", s.settlement},
+               {"search_region_m", polygons(input.scope.inside)},
+               {"exclude_region_m", polygons(input.scope.outside)},
                {"seconds", seconds({wall, cpu})}});
   if (s.searches.size() > 1)
   {

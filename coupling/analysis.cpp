@@ -228,8 +228,8 @@ catch (const InputError&) // its packing is refused
   return std::nullopt;
 }
 
-/// The critical circle on the side to which the slope fails; on the weaker side if that is not
-/// known.
+/// The critical circle to the side to which the slope fails; to the weaker one if that is not
+/// known. Soil that the search held is held here too.
 std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& model,
                                                const std::optional<sph::Mechanism>& mechanism)
 {
@@ -278,11 +278,13 @@ FoundFactor find_factor(const Scene& scene, const Region& region, Body& body,
   if (const sph::Trial* failing = found.F.failing_trial())
     found.mechanism = sph::find_mechanism(body.particles, failing->state, scene.section);
   if (!observer.stop_requested())
-    found.critical_circle = timed(
-        analysis, observer, "limit equilibrium" + suffix,
-        [&] {
-          return find_critical_circle({scene.section, scene.soils, scene.p_w}, found.mechanism);
-        });
+    found.critical_circle =
+        timed(analysis, observer, "limit equilibrium" + suffix,
+              [&]
+              {
+                return find_critical_circle({scene.section, scene.soils, scene.p_w, &region},
+                                            found.mechanism);
+              });
   return found;
 }
 

@@ -19,7 +19,14 @@ struct Slice
   double c = 0, tan_phi = 0;
   double u = 0;          ///< pore pressure on its base [Pa]
   double Ex = 0, Ey = 0; ///< weight and pool, x in the direction of sliding [N/m]
+  bool held = false;     ///< its base lies outside the region in which the strength is reduced
 };
+
+/// What the strength on the base is divided by where that of the region is divided by F.
+double divisor(const Slice& slice, double F)
+{
+  return slice.held ? std::min(F, 1.0) : F;
+}
 
 struct Slices
 {
@@ -56,20 +63,22 @@ double column_weight(const LimitEquilibriumModel& m, double x, double low, doubl
   return weight;
 }
 
-/// Where the arc lies below the ground: the stretch of x that holds the most mass under the centre.
-std::optional<std::array<double, 2>> arc_ends(const meshes::Section& section, const Vec2& centre,
-                                              double radius)
+constexpr double shortest = 0.01; // arc over the section's width: a skin has none
+
+using Ends = std::array<double, 2>;
+
+/// Stretches of x over which the arc lies below the ground: each cuts off a mass of its own. Only
+/// those whose ends lie below the centre; beyond, the arc would overhang.
+std::vector<Ends> arc_stretches(const meshes::Section& section, const Vec2& centre, double radius)
 {
   // f > 0 where the ground is inside the circle; look for its sign changes between kinks.
-  const auto inside = [&](double x, double y) {
-    return radius * radius - (Vec2{x, y} - centre).squaredNorm();
-  };
+  const auto inside = [&](const Vec2& p) { return radius * radius - (p - centre).squaredNorm(); };
   const Polyline& g = section.ground;
-  std::vector<double> crossings;
+  std::vector<Vec2> crossings; // from left to right
   for (std::size_t k = 1; k < g.size(); ++k)
   {
     const Vec2 d = g[k] - g[k - 1], from = g[k - 1] - centre;
-    const double A = d.squaredNorm(), B = from.dot(d), C = -inside(g[k - 1].x(), g[k - 1].y());
+    const double A = d.squaredNorm(), B = from.dot(d), C = -inside(g[k - 1]);
     const double discriminant = B * B - A * C;
     if (discriminant <= 0)
       continue;
@@ -77,17 +86,24 @@ std::optional<std::array<double, 2>> arc_ends(const meshes::Section& section, co
     {
       const double t = (-B + sign * std::sqrt(discriminant)) / A;
       if (t >= 0 && t < 1)
-        crossings.push_back(g[k - 1].x() + t * d.x());
+        crossings.emplace_back(g[k - 1] + t * d);
     }
   }
-  if (crossings.size() != 2) // tangled with the ground, or running out of the section
-    return std::nullopt;
-  std::sort(crossings.begin(), crossings.end());
-  return std::array{crossings[0], crossings[1]};
+  const double least = shortest * (section.x_max - section.x_min);
+  std::vector<Ends> stretches;
+  for (std::size_t k = 1; k < crossings.size(); ++k)
+  {
+    const Vec2 &a = crossings[k - 1], &b = crossings[k];
+    const double middle = 0.5 * (a.x() + b.x());
+    if (b.x() - a.x() > least && a.y() <= centre.y() && b.y() <= centre.y() &&
+        inside({middle, meshes::ground_level(section, middle)}) > 0)
+      stretches.push_back({a.x(), b.x()});
+  }
+  return stretches;
 }
 
 std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, double radius,
-                          double d, std::array<double, 2> ends, int count)
+                          double d, Ends ends, int count)
 {
   const auto arc = [&](double x)
   {
@@ -150,6 +166,7 @@ std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, do
     slice.c = m.soils[soil].cohesion;
     slice.tan_phi = std::tan(m.soils[soil].friction_angle);
     slice.u = p[3 * k];
+    slice.held = m.region != nullptr && !m.region->contains({xm, foot});
     load(&slice, 0, -b * column_weight(m, xm, foot, std::max(high, foot), uniform), xm, high);
     // The pool's push on a straight piece of ground, its pressure linear: Simpson's rule is exact.
     const double p_left = p[3 * k + 1], p_right = p[3 * k + 2];
@@ -186,18 +203,19 @@ std::optional<double> bishop(const Slices& s)
   double F = 1.5;
   for (int k = 0; k < 200; ++k)
   {
-    double resisting = 0;
+    double reduced = 0, held = 0; // strength on the bases, the latter at its full value
     for (const Slice& i : s.slice)
     {
-      const double m_alpha = std::cos(i.alpha) + std::sin(i.alpha) * i.tan_phi / F;
+      const double F_i = divisor(i, F);
+      const double m_alpha = std::cos(i.alpha) + std::sin(i.alpha) * i.tan_phi / F_i;
       if (m_alpha < 0.2)
         return std::nullopt;
       const double N =
-          (-i.Ey - i.u * i.length * std::cos(i.alpha) - i.c * i.length * std::sin(i.alpha) / F) /
+          (-i.Ey - i.u * i.length * std::cos(i.alpha) - i.c * i.length * std::sin(i.alpha) / F_i) /
           m_alpha;
-      resisting += i.c * i.length + N * i.tan_phi;
+      (i.held && F >= 1 ? held : reduced) += i.c * i.length + N * i.tan_phi;
     }
-    const double next = resisting * s.radius / s.moment;
+    const double next = reduced * s.radius / (s.moment - held * s.radius);
     if (!(next > 1e-3) || !std::isfinite(next))
       return std::nullopt;
     if (std::abs(next - F) < 1e-9 * F)
@@ -222,11 +240,12 @@ SpencerSums spencer_sums(const Slices& s, double F, double theta)
     const double ca = std::cos(i.alpha), sa = std::sin(i.alpha);
     const double E_t = i.Ex * ca - i.Ey * sa, E_n = i.Ex * sa + i.Ey * ca;
     const double q_t = std::cos(i.alpha - theta), q_n = std::sin(i.alpha - theta);
-    const double Q = ((i.c * i.length - (E_n + i.u * i.length) * i.tan_phi) / F - E_t) /
-                     (q_t + q_n * i.tan_phi / F);
+    const double F_i = divisor(i, F);
+    const double Q = ((i.c * i.length - (E_n + i.u * i.length) * i.tan_phi) / F_i - E_t) /
+                     (q_t + q_n * i.tan_phi / F_i);
     const double N = -E_n - Q * q_n - i.u * i.length;
     sums.Q += Q;
-    sums.S += (i.c * i.length + N * i.tan_phi) / F;
+    sums.S += (i.c * i.length + N * i.tan_phi) / F_i;
   }
   return sums;
 }
@@ -305,38 +324,37 @@ double factor_of(const LimitEquilibriumModel& m, const Arc& arc, bool moves_righ
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   if (arc.x_left < m.section.x_min || arc.x_right > m.section.x_max || arc.bulge < 0.02 ||
-      arc.bulge > 1 || arc.x_right - arc.x_left < 1e-3 * (m.section.x_max - m.section.x_min))
+      arc.bulge > 1 || arc.x_right - arc.x_left < shortest * (m.section.x_max - m.section.x_min))
     return none;
   const CircleShape c = shape(m.section, arc);
   if (c.depth < min_depth)
     return none;
-  const auto ends = arc_ends(m.section, c.centre, c.radius);
-  if (!ends)
-    return none;
-  const auto s = cut(m, c.centre, c.radius, moves_right ? 1.0 : -1.0, *ends, slices);
-  return s ? bishop(*s).value_or(none) : none;
+  double least = none;
+  for (const Ends& ends : arc_stretches(m.section, c.centre, c.radius))
+    if (const auto s = cut(m, c.centre, c.radius, moves_right ? 1.0 : -1.0, ends, slices))
+      least = std::min(least, bishop(*s).value_or(none));
+  return least;
 }
 } // namespace
 
 std::optional<SlipCircle> evaluate_circle(const LimitEquilibriumModel& model, const Vec2& centre,
                                           double radius, bool moves_right, int slices)
 {
-  const auto ends = arc_ends(model.section, centre, radius);
-  if (!ends)
-    return std::nullopt;
-  const auto s = cut(model, centre, radius, moves_right ? 1.0 : -1.0, *ends, slices);
-  if (!s)
-    return std::nullopt;
-  const auto F = bishop(*s);
-  if (!F)
-    return std::nullopt;
-  return SlipCircle{.centre = centre,
-                    .radius = radius,
-                    .x_left = (*ends)[0],
-                    .x_right = (*ends)[1],
-                    .moves_right = moves_right,
-                    .bishop = *F,
-                    .spencer = spencer(*s, *F)};
+  std::optional<SlipCircle> weakest;
+  for (const Ends& ends : arc_stretches(model.section, centre, radius))
+  {
+    const auto s = cut(model, centre, radius, moves_right ? 1.0 : -1.0, ends, slices);
+    const auto F = s ? bishop(*s) : std::nullopt;
+    if (F && (!weakest || *F < weakest->bishop))
+      weakest = SlipCircle{.centre = centre,
+                           .radius = radius,
+                           .x_left = ends[0],
+                           .x_right = ends[1],
+                           .moves_right = moves_right,
+                           .bishop = *F,
+                           .spencer = spencer(*s, *F)};
+  }
+  return weakest;
 }
 
 std::optional<SlipCircle> critical_circle(const LimitEquilibriumModel& model, bool moves_right,

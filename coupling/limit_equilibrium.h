@@ -3,6 +3,7 @@
 
 #include "core/tensor.h"
 #include "coupling/pore_pressure.h"
+#include "coupling/region.h"
 #include "meshes/section.h"
 #include "sph/soil.h"
 
@@ -31,13 +32,17 @@ struct LimitEquilibriumModel
   const meshes::Section& section; ///< ground and base as functions of x
   std::span<const sph::Soil> soils;
   const PorePressure& pore_pressure; ///< in the soil; at the ground, the pressure of the pool on it
+  const Region* region = nullptr; ///< where the strength is divided by the factor; null: everywhere
 };
 
 /// @brief Factors of one circle: docs/theory.md eq. (10.1)-(10.6). Bishop 1955, Spencer 1967.
 /// A pool is a load on the ground, its vertical and horizontal parts integrated between the
 /// ground's kinks, so that a submerged slope has the same factor whatever the depth of the pool.
-/// @return Nothing if the arc leaves the section, holds no mass, does not slide this way, or if the
-///         iteration does not converge.
+/// Of several masses that one arc cuts off, the weakest.
+/// Where the base of a slice lies in held soil, its strength is divided by min(F, 1), as in the
+/// trials.
+/// @return Nothing if the arc leaves the section, holds no mass, does not slide this way, stands at
+///         any factor, or if the iteration does not converge.
 [[nodiscard]] std::optional<SlipCircle> evaluate_circle(const LimitEquilibriumModel& model,
                                                         const Vec2& centre, double radius,
                                                         bool moves_right, int slices = 50);

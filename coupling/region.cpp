@@ -68,11 +68,23 @@ Region on_side(Region region, Side side, const meshes::Section& section)
                                               word, word),
                        .allowed = {},
                        .hint = fmt::format("\"{}\", or \"any\"", left ? "right" : "left")}});
-  const bool whole = region.inside.empty() && region.outside.empty();
-  region.name = fmt::format("{}{} side", whole ? "" : region.name + ", ", word);
   region.side = side;
   (left ? region.x_right : region.x_left) = crest.x;
   return region;
+}
+
+/// "search region, left side, below 2 m"; "everywhere" if nothing restricts it.
+std::string name_of(const Region& region)
+{
+  std::string name;
+  const auto add = [&](const std::string& part) { name += (name.empty() ? "" : ", ") + part; };
+  if (!region.inside.empty() || !region.outside.empty())
+    add("search region");
+  if (region.side != Side::any)
+    add(region.side == Side::left ? "left side" : "right side");
+  if (region.min_depth > 0)
+    add(fmt::format("below {:g} m", region.min_depth));
+  return name.empty() ? "everywhere" : name;
 }
 } // namespace
 
@@ -93,29 +105,28 @@ Region allowed_region(const SearchScope& scope, const meshes::Section& section)
   Region region;
   region.inside = scope.inside;
   region.outside = scope.outside;
-  if (!scope.inside.empty() || !scope.outside.empty())
-    region.name = "search region";
-  return scope.side == Side::both ? region : on_side(std::move(region), scope.side, section);
+  if (scope.side != Side::both)
+    region = on_side(std::move(region), scope.side, section);
+  region.name = name_of(region);
+  return region;
 }
 
 std::vector<Region> regions(const SearchScope& scope, const meshes::Section& section)
 {
-  SearchScope any_side = scope;
-  any_side.side = Side::any;
-  const Region all = allowed_region(any_side, section);
   std::vector<Region> list;
-  const std::vector<Side> sides =
-      scope.side == Side::both ? std::vector{Side::left, Side::right} : std::vector{scope.side};
-  for (const Side side : sides)
+  for (const Side side :
+       scope.side == Side::both ? std::vector{Side::left, Side::right} : std::vector{scope.side})
   {
-    list.push_back(on_side(all, side, section));
+    SearchScope one_side = scope;
+    one_side.side = side;
+    Region region = allowed_region(one_side, section);
+    list.push_back(region);
     if (scope.min_depth <= 0)
       continue;
-    Region deep = list.back();
-    deep.name += fmt::format(", below {:g} m", scope.min_depth);
-    deep.min_depth = scope.min_depth;
-    deep.ground = section.ground;
-    list.push_back(std::move(deep));
+    region.min_depth = scope.min_depth;
+    region.ground = section.ground;
+    region.name = name_of(region);
+    list.push_back(std::move(region));
   }
   return list;
 }

@@ -37,7 +37,7 @@ struct SearchScope
 /// Where one search reduces the strength; soil elsewhere is held.
 struct Region
 {
-  std::string name = "everywhere";
+  std::string name = "everywhere"; ///< "left side, below 2 m"
   Side side = Side::any;
   double x_left = -std::numeric_limits<double>::infinity();
   double x_right = std::numeric_limits<double>::infinity(); ///< from x_left to x_right [m]

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sph/mechanism.h"
 
+#include "meshes/planar.h"
 #include "sph/neighbours.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace berm::sph
 {
 namespace
 {
+constexpr double skin_ratio = 0.1;  // thickness over length
+constexpr double least_rows = 2;    // of particles in a deep slide
+constexpr double near_circle = 0.1; // misfit over thickness
+constexpr double flat_arc = 5;      // radius over length: the sagitta is a fortieth of the length
+
 struct Field
 {
   std::vector<double> speed, mass;
@@ -105,6 +112,25 @@ double crossing(double at_a, double value_a, double at_b, double value_b, double
     return at_b;
   return at_a + (at_b - at_a) * std::clamp((level - value_a) / (value_b - value_a), 0.0, 1.0);
 }
+
+double distance_from(const Polyline& line, const Vec2& p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < line.size(); ++k)
+    least = std::min(least, meshes::distance(p, line[k - 1], line[k]));
+  return least;
+}
+
+/// The circle of a slip line; nothing where that is nearly straight, bulges upwards, or is some
+/// other curve.
+std::optional<FittedCircle> slip_circle(const Mechanism& m)
+{
+  const std::optional<FittedCircle> circle = fit_circle(m.slip_line);
+  if (!circle || circle->misfit > near_circle * m.thickness ||
+      circle->radius > flat_arc * m.length || circle->centre.y() < 0.5 * (m.entry.y() + m.exit.y()))
+    return std::nullopt;
+  return circle;
+}
 } // namespace
 
 std::optional<Mechanism> find_mechanism(const Particles& particles, const State& failing,
@@ -151,6 +177,7 @@ std::optional<Mechanism> find_mechanism(const Particles& particles, const State&
                                                    particles.y[lowest], f.speed[lowest], half);
     m.slip_line.push_back({x, y});
     m.depth = std::max(m.depth, meshes::ground_level(section, x) - y);
+    m.thickness = std::max(m.thickness, distance_from(section.ground, {x, y}));
   }
 
   // Step 3: its ends, on the ground between the outermost moving column and its resting neighbour.
@@ -172,7 +199,10 @@ std::optional<Mechanism> find_mechanism(const Particles& particles, const State&
     std::reverse(m.slip_line.begin(), m.slip_line.end());
   m.entry = m.slip_line.front();
   m.exit = m.slip_line.back();
-  m.kind = m.depth < 4 * particles.spacing ? "surface skin" : "deep slide";
+  m.length = (m.exit - m.entry).norm();
+  const double skin = std::max(skin_ratio * m.length, least_rows * particles.spacing);
+  m.kind = m.thickness < skin ? "surface skin" : "deep slide";
+  m.circle = slip_circle(m);
   return m;
 }
 } // namespace berm::sph

@@ -23,7 +23,8 @@ from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
 
 import run_out
-from section import BLUE, GREEN, GREY, ORANGE, SKY, colour_bar, draw_section, figure_for
+from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
+                     figure_for)
 
 
 def draw_water_line(ax, result):
@@ -109,6 +110,40 @@ def draw_flow(ax, result, fields, wet):
               width=0.0013, color="black", alpha=0.75, zorder=4)
 
 
+def draw_regions(ax, stability):
+    """Outlines of where the strength is reduced, and of where it is not."""
+    for key, style in (("search_region_m", "-"), ("exclude_region_m", ":")):
+        for i, polygon in enumerate(stability[key]):
+            label = {"-": "search region", ":": "excluded"}[style] if i == 0 else None
+            closed = np.array([*polygon, polygon[0]])
+            ax.plot(*closed.T, style, color=GREEN, lw=1.4, zorder=5, label=label)
+
+
+def draw_slip_lines(ax, stability):
+    """Slip line and critical circle of every search, the governing one last and strongest."""
+    searches = stability.get("searches", [stability])
+    others = [s for s in searches if s["region"] != stability["region"]]
+    colours = iter([PURPLE, GREEN, YELLOW])
+    for search in [*others, stability]:
+        governs = search is stability
+        colour = ORANGE if governs else next(colours)
+        where = "" if len(searches) == 1 else f", {search['region']}"
+        if where and search["complete"]:
+            where += f": F = {search['factor']:.3f}"
+        if search["mechanism"]:
+            line = np.array(search["mechanism"]["slip_line_m"])
+            ax.plot(*line.T, color="white", lw=4 if governs else 3, zorder=6)
+            ax.plot(*line.T, color=colour, lw=2 if governs else 1.5, zorder=7,
+                    label=f"slip line{where}")
+        circle = search["limit_equilibrium"]
+        if circle:
+            x = np.linspace(circle["x_left_m"], circle["x_right_m"], 200)
+            (x_c, y_c), radius = circle["centre_m"], circle["radius_m"]
+            y = y_c - np.sqrt(np.maximum(radius**2 - (x - x_c) ** 2, 0))
+            ax.plot(x, y, color="0.75" if governs else colour, lw=1.5, ls="--", zorder=6,
+                    label=f"critical circle (Bishop {circle['bishop']:.3f})")
+
+
 def slip_figure(result, fields):
     """Plastic strain where the slope fails, the slip line through it, and the water."""
     stability = result["stability"]
@@ -132,20 +167,12 @@ def slip_figure(result, fields):
     draw_section(ax, result)
     tiles.set_clip_path(outline)
     draw_water_line(ax, result)
-    if stability["mechanism"] and name == "failing":
-        line = np.array(stability["mechanism"]["slip_line_m"])
-        ax.plot(*line.T, color="white", lw=4, zorder=6)
-        ax.plot(*line.T, color=ORANGE, lw=2, zorder=7, label="slip line")
-    circle = stability.get("limit_equilibrium")
-    if circle:
-        x = np.linspace(circle["x_left_m"], circle["x_right_m"], 200)
-        (x_c, y_c), radius = circle["centre_m"], circle["radius_m"]
-        y = y_c - np.sqrt(np.maximum(radius**2 - (x - x_c) ** 2, 0))
-        ax.plot(x, y, color="0.75", lw=1.5, ls="--", zorder=6,
-                label=f"critical circle (Bishop {circle['bishop']:.3f})")
+    draw_regions(ax, stability)
+    draw_slip_lines(ax, stability)
     found = stability["factor"]
     answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
-    ax.set_title(f"{result['title']}\n{answer}; drawn: strength / {factor:.4g}, {name}")
+    where = f" ({stability['region']})" if "searches" in stability else ""
+    ax.set_title(f"{result['title']}\n{answer}{where}; drawn: strength / {factor:.4g}, {name}")
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper right", framealpha=0.9)
     colour_bar(fig, ax, tiles, "equivalent plastic strain [-]")

@@ -5,6 +5,7 @@ import numpy as np
 
 # Okabe and Ito's colours: told apart by colour-blind readers too.
 BLUE, SKY, ORANGE, GREEN, GREY = "#0072B2", "#56B4E9", "#D55E00", "#009E73", "#666666"
+PURPLE, YELLOW = "#CC79A7", "#F0E442"
 
 
 def pool_polygon(ground, level, side):

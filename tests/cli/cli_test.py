@@ -231,6 +231,24 @@ class Cli(unittest.TestCase):
         self.assertEqual(stability["side"], "right")
         self.assertLessEqual(stability["fails"] - stability["stands"], 0.4 + 1e-12)
 
+    def test_both_sides_are_reported_from_one_run(self):
+        out, _ = self.berm("run", DRY, *COARSE, "--set", "stability.side=both", "--out", "out")
+        for text in ("left side ", "right side ", "; governs", "Stability, left side"):
+            self.assertIn(text, out)
+        stability = self.result("out")["stability"]
+        left, right = stability["searches"]
+        self.assertEqual((left["side"], right["side"]), ("left", "right"))
+        self.assertLess(right["factor"], left["factor"])
+        self.assertEqual(stability["factor"], right["factor"])
+        self.assertEqual(stability["region"], "right side")
+
+    def test_a_region_without_soil_is_told_with_its_line(self):
+        text = pathlib.Path(DRY).read_text() + "[stability]\nside = \"left\"\n"
+        line = text.count("\n") + 1
+        text += "search_region_m = [[120, 0], [190, 0], [190, 40]]\n"
+        _, err = self.berm("check", self.write(text), code=2)
+        self.assertIn(f"case.toml:{line}: stability.search_region_m: leaves no soil", err)
+
     def test_a_repeated_run_gives_the_same_result_with_any_number_of_threads(self):
         results = []
         for out, threads in (("a", "1"), ("b", "1"), ("c", "2")):

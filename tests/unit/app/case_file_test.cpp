@@ -237,4 +237,52 @@ TEST(CaseFile, NeverFallsOverWhateverTheFileHolds)
     (void)read_text(text); // mistakes or a case: never another exception
   }
 }
+
+TEST(CaseFile, ReadsWhereTheStrengthIsReduced)
+{
+  const std::string scope = R"([stability]
+side = "right"
+search_region_m = [[0, -5], [40, -5], [40, 12], [0, 12]]
+exclude_region_m = [[[0, -5], [4, -5], [4, 12]], [[36, -5], [40, -5], [40, 0], [36, -5]]]
+min_depth_m = 2
+)";
+  const ReadResult result = read_text(sound_case + scope);
+  ASSERT_TRUE(result.mistakes.empty()) << result.text();
+  const coupling::SearchScope& read = result.input.scope;
+  EXPECT_EQ(read.side, coupling::Side::right);
+  ASSERT_EQ(read.inside.size(), 1u);
+  EXPECT_EQ(read.inside[0].size(), 4u);
+  ASSERT_EQ(read.outside.size(), 2u);
+  EXPECT_EQ(read.outside[1].size(), 3u); // without the last point, which repeats the first
+  EXPECT_EQ(read.min_depth, 2);
+}
+
+TEST(CaseFile, ReportsAllMistakesAboutWhereTheStrengthIsReduced)
+{
+  const ReadResult wrong = read_text(sound_case + R"([stability]
+search_region_m = [[[0, 0], [10, 0], [10, 5]], [[0, 0], [10, 10], [10, 0], [0, 10]]]
+exclude_region_m = [[100, 0], [110, 0], [110, 9]]
+min_depth_m = 0.1
+)");
+  EXPECT_EQ(wrong.mistakes.size(), 3u) << wrong.text();
+  const Mistake* crossed = wrong.about("stability.search_region_m");
+  ASSERT_NE(crossed, nullptr);
+  EXPECT_TRUE(crossed->problem.starts_with("polygon 2: edge 1 crosses edge 3")) << crossed->problem;
+  const Mistake* outside = wrong.about("stability.exclude_region_m");
+  ASSERT_NE(outside, nullptr);
+  EXPECT_EQ(outside->problem, "holds no part of the section");
+  EXPECT_NE(wrong.about("stability.min_depth_m"), nullptr); // less than two spacings
+
+  const ReadResult left = read_text(sound_case + "[stability]\nside = \"left\"\n");
+  ASSERT_NE(left.about("stability.side"), nullptr) << "the ground falls to the right only";
+  const ReadResult nothing = read_text(sound_case + R"([stability]
+search_region_m = [[1, 0], [9, 0], [9, 5]]
+exclude_region_m = [[0, -1], [10, -1], [10, 6], [0, 6]]
+)");
+  ASSERT_NE(nothing.about("stability.search_region_m"), nullptr) << nothing.text();
+  EXPECT_TRUE(
+      nothing.about("stability.search_region_m")->problem.starts_with("leaves no soil to weaken"));
+  const ReadResult deep = read_text(sound_case + "[stability]\nmin_depth_m = 20\n");
+  ASSERT_NE(deep.about("stability.min_depth_m"), nullptr) << deep.text();
+}
 } // namespace berm::app::test

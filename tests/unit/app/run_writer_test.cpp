@@ -66,6 +66,8 @@ TEST(RunWriter, TheResultIsTheContractForScripts)
   EXPECT_EQ(stability.at("pore_pressure"), "seepage");
   EXPECT_EQ(stability.at("side"), "right");
   EXPECT_EQ(stability.at("mechanism").at("depth_m"), 0.5);
+  const Json circle = {{"centre_m", {1.0, 2.0}}, {"radius_m", 1.5}, {"misfit_m", 0.25}};
+  EXPECT_EQ(stability.at("mechanism").at("circle"), circle);
   EXPECT_EQ(stability.at("trials").size(), 2u);
   EXPECT_EQ(stability.at("trials").at(1).at("outcome"), "fails");
   const Json history = {{"time_s", {0.25, 0.5}},
@@ -73,6 +75,32 @@ TEST(RunWriter, TheResultIsTheContractForScripts)
                         {"max_displacement_m", {0.0625, 0.75}}};
   EXPECT_EQ(stability.at("trials").at(1).at("history"), history);
   EXPECT_EQ(json.at("performance").at("particle_steps_per_cpu_second"), 50.0); // 300 in 2 + 4 s
+}
+
+TEST(RunWriter, TheSmallestFactorStandsAboveAllSearches)
+{
+  coupling::Analysis analysis = small_analysis();
+  auto& searches = analysis.stability->searches;
+  searches.insert(searches.begin(), searches[0]);
+  searches[0].region.name = "left side";
+  searches[0].F.stands = 1.75;
+  searches[0].F.fails = 1.77;
+  searches[1].region.name = "right side";
+  searches[1].region.min_depth = 2;
+  const Json json = result_json(small_case(), analysis);
+  const Json& stability = json.at("stability");
+  EXPECT_EQ(stability.at("fails"), 1.51);
+  EXPECT_EQ(stability.at("region"), "right side");
+  EXPECT_EQ(stability.at("min_depth_m"), 2);
+  EXPECT_EQ(stability.at("searches").size(), 2u);
+  EXPECT_EQ(stability.at("searches").at(0).at("region"), "left side");
+  EXPECT_DOUBLE_EQ(stability.at("searches").at(0).at("factor").get<double>(), 1.76);
+  for (const auto& [key, value] : stability.at("searches").at(1).items())
+    EXPECT_EQ(value, stability.at(key)) << key;
+  EXPECT_TRUE(json.at("complete"));
+  searches[0].F.complete = false; // one answer is missing
+  EXPECT_FALSE(result_json(small_case(), analysis).at("complete"));
+  EXPECT_FALSE(result_json(small_case(), small_analysis()).at("stability").contains("searches"));
 }
 
 TEST(RunWriter, AStageThatDidNotRunIsAbsent)

@@ -59,8 +59,11 @@ inline coupling::Analysis small_analysis()
   factor.trials[1].outcome = sph::Outcome::fails;
   factor.trials[1].history = {{0.25, 0.125, 0.0625}, {0.5, 0.25, 0.75}};
   factor.trials[1].state = failing;
-  found.mechanism = sph::Mechanism{
-      .slip_line = {{0, 1}, {1, 0.5}}, .depth = 0.5, .kind = "deep slide", .side = "right"};
+  found.mechanism = sph::Mechanism{.slip_line = {{0, 1}, {1, 0.5}},
+                                   .depth = 0.5,
+                                   .kind = "deep slide",
+                                   .side = "right",
+                                   .circle = sph::FittedCircle{{1, 2}, 1.5, 0.25}};
   soil.particle_steps = 300;
   analysis.stability = soil;
   analysis.stages = {

@@ -47,6 +47,17 @@ std::vector<Row> rows()
       {"drawdown_half", griffiths_lane, 0, 10, 20, 20, {{0, 5}, {32, 5}}, true, 1.352, 0},
       {"drawdown_full", griffiths_lane, 0, 10, 20, 20, {{0, 0}, {32, 0}}, true, 1.378, 0},
       {"undrained", {{0, 20}, {20, 20}, {40, 10}, {80, 10}}, 0, 50, 0, 20, {}, true, 1.4716, 0},
+      // Taylor's number for circles through the toe of a vertical cut: gamma H / c = 1 / 0.261.
+      {"vertical_cut",
+       {{0, 10}, {20, 10}, {20, 20}, {40, 20}},
+       0,
+       0.261 * 200,
+       0,
+       20,
+       {},
+       false,
+       1.0,
+       0},
       {"acads_1a", {{20, 25}, {30, 25}, {50, 35}, {70, 35}}, 20, 3, 19.6, 20, {}, false, 0.987, 0},
       {"submerged",
        submerged,
@@ -109,6 +120,39 @@ TEST(LimitEquilibriumInvariance, TheDepthOfThePoolDoesNotMatter)
       ASSERT_TRUE(shallow && deep);
       EXPECT_NEAR(deep->bishop / shallow->bishop, 1, 1e-3);
     }
+}
+
+/// Without friction, the moments on a circle are  c (L_reduced / F + L_held) R = M.
+TEST(LimitEquilibriumInRegions, HeldSoilKeepsItsStrengthOnACircle)
+{
+  meshes::SectionInput input;
+  input.ground = {{0, 20}, {20, 20}, {40, 10}, {80, 10}};
+  input.base = {{0, 0}, {80, 0}};
+  const meshes::Section section = meshes::build_section(input);
+  sph::Soil soil = tests::embankment_soil();
+  soil.cohesion = 50e3;
+  soil.friction_angle = 0;
+  const std::vector<sph::Soil> soils = {soil};
+  const PorePressure dry = no_pore_pressure();
+  const Vec2 centre{30, 27.8};
+  const double radius = 25, x_held = 20; // a kink of the ground: a border of slices
+  const auto free = evaluate_circle({section, soils, dry}, centre, radius, true, 200);
+  ASSERT_TRUE(free);
+  Region region;
+  const auto same = evaluate_circle({section, soils, dry, &region}, centre, radius, true, 200);
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->bishop, free->bishop);
+
+  const auto angle = [&](double x) { return std::asin((x - centre.x()) / radius); };
+  const double held =
+      (angle(x_held) - angle(free->x_left)) / (angle(free->x_right) - angle(free->x_left));
+  region.x_left = x_held;
+  const auto found = evaluate_circle({section, soils, dry, &region}, centre, radius, true, 200);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->bishop, (1 - held) / (1 / free->bishop - held),
+              2e-3);             // one slice more or less
+  region.x_left = free->x_right; // all of it is held: with F > 1 it stands whatever the factor
+  EXPECT_FALSE(evaluate_circle({section, soils, dry, &region}, centre, radius, true, 200));
 }
 
 TEST(LimitEquilibriumInvariance, AMirroredSlopeHasTheSameFactor)
