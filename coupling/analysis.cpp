@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <fmt/core.h>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -344,11 +343,11 @@ std::optional<RunOut> run_out(const Scene& scene, const Stability& stability, Ru
 
 const FoundFactor& Stability::governing() const
 {
-  const auto fails = [](const FoundFactor& found)
-  { return found.F.fails.value_or(std::numeric_limits<double>::infinity()); };
+  const auto least_possible = [](const FoundFactor& found)
+  { return found.F.complete ? found.F.fails.value() : found.F.stands.value_or(0); };
   return *std::min_element(searches.begin(), searches.end(),
                            [&](const FoundFactor& a, const FoundFactor& b)
-                           { return fails(a) < fails(b); });
+                           { return least_possible(a) < least_possible(b); });
 }
 
 Analysis analyse(const Case& input, Observer& observer)
@@ -396,6 +395,9 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
   stability.particle_steps = body.particle_steps(static_cast<double>(body.settled.steps));
   if (!body.moving) // without gradient correction every packing settles too far
     sph::require_sound_settlement(stability.settlement, body.discretisation, stability.particles);
+
+  for (const Region& region : wanted)
+    require_particles(region, stability.particles);
 
   std::optional<Body> coarse;
   if (!wanted.empty() && !body.moving && body.particles.size() >= worth_a_coarse_search)

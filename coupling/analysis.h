@@ -52,8 +52,9 @@ struct Stability
   std::vector<FoundFactor> searches; ///< in the order in which they ran; empty if not asked for
   double particle_steps = 0;         ///< particles times steps: settling, all trials, run-out [-]
 
-  /// The search that failed at the smallest factor, the first of equals: its factor is that of the
-  /// section. Pre: there is one.
+  /// The search that speaks for the section, the first of equals: that which failed at the smallest
+  /// factor; but one without an answer comes before all that failed above where it last stood.
+  /// Pre: there is one.
   [[nodiscard]] const FoundFactor& governing() const;
 };
 

@@ -169,6 +169,18 @@ std::vector<Index> strength_index(const Region& region, const sph::Particles& pa
   return index;
 }
 
+void require_particles(const Region& region, const sph::Particles& particles)
+{
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (region.contains({particles.x[i], particles.y[i]}))
+      return;
+  throw InputError({{.key = "stability.search_region_m",
+                     .value = {},
+                     .problem = fmt::format("no particle lies in it: {}", region.name),
+                     .allowed = {},
+                     .hint = "a wider region, or a smaller sph.spacing_m"}});
+}
+
 std::vector<sph::Cone> cones_in_region(std::span<const sph::Soil> soils, double factor,
                                        const std::string& cone)
 {

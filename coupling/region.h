@@ -67,6 +67,9 @@ struct Region
 [[nodiscard]] std::vector<Index> strength_index(const Region& region,
                                                 const sph::Particles& particles, std::size_t soils);
 
+/// @throws InputError if no particle lies in the region: it is thinner than they show.
+void require_particles(const Region& region, const sph::Particles& particles);
+
 /// @brief Cones of all soils with the strength divided by `factor`, then those of held soil, whose
 /// strength is divided by min(factor, 1): full strength, but never weaker than what is searched.
 [[nodiscard]] std::vector<sph::Cone> cones_in_region(std::span<const sph::Soil> soils,

@@ -110,6 +110,11 @@ def draw_flow(ax, result, fields, wet):
               width=0.0013, color="black", alpha=0.75, zorder=4)
 
 
+def where_reduced(stability):
+    """Which of several searches governs, and is drawn."""
+    return f" ({stability['region']})" if "searches" in stability else ""
+
+
 def draw_regions(ax, stability):
     """Outlines of where the strength is reduced, and of where it is not."""
     for key, style in (("search_region_m", "-"), ("exclude_region_m", ":")):
@@ -171,8 +176,8 @@ def slip_figure(result, fields):
     draw_slip_lines(ax, stability)
     found = stability["factor"]
     answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
-    where = f" ({stability['region']})" if "searches" in stability else ""
-    ax.set_title(f"{result['title']}\n{answer}{where}; drawn: strength / {factor:.4g}, {name}")
+    answer += where_reduced(stability)
+    ax.set_title(f"{result['title']}\n{answer}; drawn: strength / {factor:.4g}, {name}")
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper right", framealpha=0.9)
     colour_bar(fig, ax, tiles, "equivalent plastic strain [-]")
@@ -205,7 +210,7 @@ def trials_figure(result):
     ax.set_ylabel("largest displacement at the end of the trial [m]")
     found = stability["factor"]
     answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
-    ax.set_title(f"{result['title']}: {answer}")
+    ax.set_title(f"{result['title']}: {answer}{where_reduced(stability)}")
     ax.grid(alpha=0.3)
     ax.legend()
     return fig
@@ -245,7 +250,7 @@ def curves_figure(result):
         return None
     fig, ax = plt.subplots(figsize=(7.5, 5), layout="constrained")
     draw_curves(ax, result)
-    ax.set_title(result["title"])
+    ax.set_title(result["title"] + where_reduced(result["stability"]))
     return fig
 
 

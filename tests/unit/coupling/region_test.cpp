@@ -2,6 +2,7 @@
 #include "coupling/region.h"
 
 #include "core/error.h"
+#include "coupling/analysis.h"
 #include "sph/fill.h"
 #include "sph/trial.h"
 #include "tests/support/sections.h"
@@ -182,6 +183,40 @@ TEST(Region, WithoutSoilIsNoticed)
   EXPECT_TRUE(holds_soil(region, section));
   region.outside = {{{0, -1}, {191.4, -1}, {191.4, 40}, {0, 40}}};
   EXPECT_FALSE(holds_soil(region, section));
+}
+
+TEST(Region, ThinnerThanTheParticlesShowIsAMistake)
+{
+  const meshes::Section section = meshes::build_section(tests::embankment());
+  const sph::Particles p = sph::fill(section, 2, "columns");
+  Region region;
+  EXPECT_NO_THROW(require_particles(region, p));
+  const double between = p.x[0] + 1; // columns stand 2 m apart
+  region.inside = {{{between - 0.2, 0}, {between + 0.2, 0}, {between + 0.2, 7}, {between, 7}}};
+  EXPECT_TRUE(holds_soil(region, section));
+  EXPECT_THROW(require_particles(region, p), InputError);
+}
+
+TEST(Governing, IsTheWeakestUnlessAnotherMayBeWeaker)
+{
+  Stability stability;
+  const auto found = [](std::optional<double> stands, std::optional<double> fails, bool complete)
+  {
+    FoundFactor f;
+    f.F.stands = stands;
+    f.F.fails = fails;
+    f.F.complete = complete;
+    return f;
+  };
+  auto& all = stability.searches;
+  all = {found(1.7, 1.72, true), found(1.5, 1.52, true), found(1.5, 1.52, true)};
+  EXPECT_EQ(&stability.governing(), &all[1]);    // the first of equals
+  all.push_back(found(20, std::nullopt, false)); // it stands even at 20
+  EXPECT_EQ(&stability.governing(), &all[1]);
+  all.push_back(found(1.4, 1.9, false)); // it may have failed at 1.41
+  EXPECT_EQ(&stability.governing(), &all[4]);
+  all.push_back(found(std::nullopt, std::nullopt, false));
+  EXPECT_EQ(&stability.governing(), &all[5]);
 }
 
 TEST(Region, HeldSoilHasItsFullStrengthAndIsNeverTheWeaker)

@@ -42,11 +42,12 @@ Stability run(const Case& c)
   return analyse(c, silent).stability.value();
 }
 
-void expect_factor(const Case& c, double reference, double relative)
+FoundFactor expect_factor(const Case& c, double reference, double relative)
 {
-  const auto F = run(c).governing().F;
-  ASSERT_TRUE(F.complete) << F.reason;
-  EXPECT_NEAR(*F.factor() / reference, 1, relative);
+  FoundFactor found = run(c).governing();
+  EXPECT_TRUE(found.F.complete) << found.F.reason;
+  EXPECT_NEAR(found.F.factor().value_or(0) / reference, 1, relative);
+  return found;
 }
 
 const Polyline griffiths_lane = {{0, 10}, {12, 10}, {32, 0}};
@@ -64,14 +65,30 @@ TEST(PublishedSlopes, GriffithsLaneExample5HalfDrawnDown)
 
 TEST(PublishedSlopes, UndrainedSlopeOnItsOwnClay)
 {
-  expect_factor(slope({{0, 20}, {20, 20}, {40, 10}, {80, 10}}, 0, soil(50, 0, 20)), 1.47, 0.035);
+  const auto found = expect_factor(
+      slope({{0, 20}, {20, 20}, {40, 10}, {80, 10}}, 0, soil(50, 0, 20)), 1.47, 0.035);
+  // A base failure: the critical circle leaves the ground 11.4 m beyond the toe, and touches the
+  // base. The line follows it to a tenth of its depth of 18 m.
+  const sph::Mechanism& m = found.mechanism.value();
+  const SlipCircle& critical = found.critical_circle.value();
+  EXPECT_EQ(m.kind, "deep slide");
+  EXPECT_NEAR(m.exit.x(), critical.x_right, 1.8);
+  EXPECT_GT(m.exit.x(), 40 + 5);
+  ASSERT_TRUE(m.circle.has_value());
+  EXPECT_NEAR(m.circle->radius, critical.radius, 1.8);
+  EXPECT_NEAR((m.circle->centre - critical.centre).norm(), 0, 1.8);
 }
 
 TEST(PublishedSlopes, VerticalCutInClay)
 {
   // gamma H / c = 3.775 .. 3.778, rigorous upper and lower bound
-  expect_factor(slope({{0, 10}, {20, 10}, {20, 20}, {40, 20}}, 0, soil(200 / 3.7765, 0, 20)), 1,
-                0.025);
+  const auto found = expect_factor(
+      slope({{0, 10}, {20, 10}, {20, 20}, {40, 20}}, 0, soil(200 / 3.7765, 0, 20)), 1, 0.025);
+  const sph::Mechanism& m = found.mechanism.value();
+  EXPECT_EQ(m.kind, "deep slide");
+  EXPECT_EQ(m.side, "left");
+  EXPECT_NEAR(m.exit.x(), 20, 0.5); // the toe, to a spacing
+  EXPECT_NEAR(m.exit.y(), 10, 0.5);
 }
 
 TEST(PublishedSlopes, Acads1a)
