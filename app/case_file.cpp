@@ -435,7 +435,9 @@ private:
     {
       for (const coupling::Region& region : coupling::regions(scope, section))
         if (!coupling::holds_soil(region, section))
-          add({.key = region.min_depth > 0 ? "stability.min_depth_m" : "stability.search_region_m",
+          add({.key = region.min_depth > 0   ? "stability.min_depth_m"
+                      : scope.inside.empty() ? "stability.exclude_region_m"
+                                             : "stability.search_region_m",
                .problem = fmt::format("leaves no soil to weaken: {}", region.name),
                .hint = "side, search_region_m, exclude_region_m and min_depth_m hold together"});
     }

@@ -253,7 +253,7 @@ FoundFactor find_factor(const Scene& scene, const Region& region, Body& body,
   sph::SearchSettings search = scene.input.search;
 
   // Step 1: on coarse particles, to know where to look.
-  if (coarse)
+  if (coarse && holds_particles(region, coarse->particles))
   {
     coarse->reduce_in(region, scene.soils.size());
     const auto F = timed(analysis, observer, "coarse search" + suffix,

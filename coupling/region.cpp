@@ -169,11 +169,18 @@ std::vector<Index> strength_index(const Region& region, const sph::Particles& pa
   return index;
 }
 
-void require_particles(const Region& region, const sph::Particles& particles)
+bool holds_particles(const Region& region, const sph::Particles& particles)
 {
   for (std::size_t i = 0; i < particles.size(); ++i)
     if (region.contains({particles.x[i], particles.y[i]}))
-      return;
+      return true;
+  return false;
+}
+
+void require_particles(const Region& region, const sph::Particles& particles)
+{
+  if (holds_particles(region, particles))
+    return;
   throw InputError({{.key = "stability.search_region_m",
                      .value = {},
                      .problem = fmt::format("no particle lies in it: {}", region.name),

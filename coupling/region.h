@@ -67,6 +67,9 @@ struct Region
 [[nodiscard]] std::vector<Index> strength_index(const Region& region,
                                                 const sph::Particles& particles, std::size_t soils);
 
+/// @brief Whether any particle lies in the region.
+[[nodiscard]] bool holds_particles(const Region& region, const sph::Particles& particles);
+
 /// @throws InputError if no particle lies in the region: it is thinner than they show.
 void require_particles(const Region& region, const sph::Particles& particles);
 

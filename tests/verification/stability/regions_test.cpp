@@ -138,9 +138,10 @@ TEST(Regions, TheCohesionlessSkinDoesNotHideTheDeepSlide)
   EXPECT_EQ(deep.mechanism.value().kind, "deep slide");
   EXPECT_GT(deep.mechanism->thickness, 2); // the depth asked for
   EXPECT_GT(*deep.F.stands, *skin.F.fails);
-  // Beside the critical circle with the uppermost 2 m held: psi = 0 lies 2.5 % below Bishop (F-1)
-  // and Spencer 3 % above him, since the circle runs through two strengths.
-  EXPECT_NEAR(*deep.F.factor() / bishop(deep), 1, 0.03);
+  // Beside the critical circle with the uppermost 2 m held. Spencer balances forces too, which
+  // counts where the circle runs through two strengths. psi = 0 lies 2.6 to 3.4 % below him on F-1
+  // dry, F-2 and F-5; as much again is allowed.
+  EXPECT_NEAR(*deep.F.factor() / deep.critical_circle.value().spencer.value(), 0.97, 0.03);
   EXPECT_NEAR(bishop(skin) / exact, 1, 1e-3);
 }
 } // namespace berm
