@@ -10,7 +10,11 @@ namespace berm::sph
 namespace
 {
 constexpr long smallest_strip = 8; // blocks: fewer are not worth the bookkeeping
-}
+// A strip takes some microseconds, as long as a thread looks whether it is done. A thread that
+// waits longer offers its processor to others, and sleeps at last: the other thread may have lost
+// its own.
+constexpr int patience = 1000, last_look = 1300;
+} // namespace
 
 Wavefront::Wavefront(Index blocks, Index reach, long depth)
     : blocks_(blocks), strips_(std::max(1L, blocks / std::max(long{reach}, smallest_strip))),
@@ -28,14 +32,20 @@ void Wavefront::wait(long strip, long pass) const
 {
   if (strip < 0 || strip >= strips_)
     return;
-  const std::atomic<long>& done = done_[static_cast<std::size_t>(strip)].passes;
-  for (int spins = 0; done.load(std::memory_order_acquire) < start_ + pass; ++spins)
-    if (spins > 1000) // another thread may need this processor
+  const std::atomic<int>& done = done_[static_cast<std::size_t>(strip)].passes;
+  int looks = 0;
+  for (int now = done.load(std::memory_order_acquire); now < pass;
+       now = done.load(std::memory_order_acquire))
+    if (++looks > last_look)
+      done.wait(now, std::memory_order_acquire);
+    else if (looks > patience)
       std::this_thread::yield();
 }
 
 void Wavefront::run(long passes, const Work& work)
 {
+  for (long strip = 0; strip < strips_; ++strip)
+    done_[static_cast<std::size_t>(strip)].passes.store(0, std::memory_order_relaxed);
 #pragma omp parallel
   {
     // Strip s takes pass p when s-1, s and s+1 have taken pass p-1; s+1 cannot be farther than one
@@ -55,11 +65,12 @@ void Wavefront::run(long passes, const Work& work)
           for (const long other : {strip - 1, strip, strip + 1})
             wait(other, pass);
           work(pass, begin(strip), begin(strip + 1));
-          done_[static_cast<std::size_t>(strip)].passes.store(start_ + pass + 1,
-                                                              std::memory_order_release);
+          std::atomic<int>& done = done_[static_cast<std::size_t>(strip)].passes;
+          done.store(static_cast<int>(pass) + 1, std::memory_order_release);
+          if (threads > 1)
+            done.notify_all();
         }
     }
   }
-  start_ += passes;
 }
 } // namespace berm::sph

@@ -26,19 +26,18 @@ public:
   /// these blocks alone; it may read what the pass before wrote, within the reach.
   using Work = std::function<void(long pass, std::size_t begin, std::size_t end)>;
 
-  /// @brief Take every block through passes 0 .. passes - 1. Nothing is allocated.
+  /// @brief Take every block through passes 0 .. passes - 1, fewer than 2^31. Nothing is allocated.
   void run(long passes, const Work& work);
 
 private:
   struct alignas(64) Done // a cache line each: threads do not disturb each other
   {
-    std::atomic<long> passes = 0;
+    std::atomic<int> passes = 0;
   };
   [[nodiscard]] std::size_t begin(long strip) const;
   void wait(long strip, long pass) const;
 
   long blocks_, strips_, depth_;
-  long start_ = 0; ///< passes of earlier runs
   std::unique_ptr<Done[]> done_;
 };
 } // namespace berm::sph
