@@ -3,7 +3,9 @@
 
 #include "core/observer.h"
 #include "core/stopwatch.h"
+#include "core/team.h"
 #include "sph/particles.h"
+#include "sph/search.h"
 
 #include <functional>
 #include <optional>
@@ -12,15 +14,6 @@
 
 namespace berm::sph
 {
-enum class Outcome
-{
-  stands,
-  fails,
-  undecided
-};
-
-[[nodiscard]] const char* to_string(Outcome outcome);
-
 /// The soil at the end of one window of T0.
 struct TrialWindow
 {
@@ -46,16 +39,6 @@ struct Trial
   State state; ///< at its end
 };
 
-/// What the search is to find, and how closely.
-struct SearchSettings
-{
-  double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
-  double tolerance = 0.01;                   ///< half the width of the bracket
-  double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
-  /// Tried first: the tolerance to either side of it, then ever farther out.
-  std::optional<double> guess = std::nullopt;
-};
-
 /// The answer of a search: a bracket whose ends were both tried.
 struct FactorOfSafety
 {
@@ -77,10 +60,14 @@ struct FactorOfSafety
 /// Tries one factor; reports its own progress in [0, 1] and polls the observer for a wish to stop.
 using RunTrial = std::function<Trial(double factor, Observer& observer)>;
 
-/// @brief Bracket the factor of safety by bisection, widening where an end contradicts its name.
-/// Every trial must start from the same state, so that the order does not matter. An undecided
-/// trial is never counted as either outcome: the search tries once beside it (a quarter of the
-/// bracket below), and ends incomplete, saying why, if that is undecided too.
+/// @brief Bracket the factor of safety: `next_step` says where to try.
+/// Every trial must start from the same state, so that the order does not matter.
+/// A team tries as many factors at a time as it has ranks, those first that the search may want
+/// next; it takes in only what it would have tried alone, in the same order, so that the answer is
+/// the same for any number of ranks. Every rank gets it.
+[[nodiscard]] FactorOfSafety reduce_strength(const RunTrial& run_trial,
+                                             const SearchSettings& settings, Observer& observer,
+                                             Team& team);
 [[nodiscard]] FactorOfSafety reduce_strength(const RunTrial& run_trial,
                                              const SearchSettings& settings, Observer& observer);
 } // namespace berm::sph

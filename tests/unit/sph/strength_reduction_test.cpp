@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sph/strength_reduction.h"
 
+#include "core/error.h"
+#include "sph/trial_bytes.h"
+
+#include <atomic>
+#include <barrier>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace berm::sph
 {
@@ -149,5 +155,193 @@ TEST(StrengthReduction, StoppingKeepsWhatIsKnown)
   EXPECT_FALSE(F.complete);
   EXPECT_NE(F.reason.find("stopped"), std::string::npos);
   EXPECT_TRUE(F.factor().has_value()); // of the two trials before
+}
+
+namespace
+{
+/// Ranks as threads of this process.
+class ThreadTeam : public Team
+{
+public:
+  struct Shared
+  {
+    explicit Shared(int n) : texts(static_cast<std::size_t>(n)), barrier(n) {}
+    std::vector<std::string> texts;
+    std::barrier<> barrier;
+  };
+  ThreadTeam(Shared& shared, int rank) : shared_(shared), rank_(rank) {}
+  [[nodiscard]] int size() const override { return static_cast<int>(shared_.texts.size()); }
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] std::vector<std::string> gather(std::string mine) override
+  {
+    shared_.texts[static_cast<std::size_t>(rank_)] = std::move(mine);
+    shared_.barrier.arrive_and_wait();
+    std::vector<std::string> all = shared_.texts;
+    shared_.barrier.arrive_and_wait();
+    return all;
+  }
+
+private:
+  Shared& shared_;
+  int rank_;
+};
+
+/// Runs the search on `ranks` threads. @return Each rank's answer.
+std::vector<FactorOfSafety> team_search(const RunTrial& soil, const SearchSettings& settings,
+                                        int ranks)
+{
+  ThreadTeam::Shared shared(ranks);
+  std::vector<FactorOfSafety> answers(static_cast<std::size_t>(ranks));
+  std::vector<std::jthread> threads;
+  for (int rank = 0; rank < ranks; ++rank)
+    threads.emplace_back(
+        [&, rank]
+        {
+          ThreadTeam team(shared, rank);
+          Observer silent;
+          answers[static_cast<std::size_t>(rank)] = reduce_strength(soil, settings, silent, team);
+        });
+  threads.clear();
+  return answers;
+}
+} // namespace
+
+TEST(TeamSearch, GivesTheSameTrialsForAnyNumberOfRanks)
+{
+  for (const double critical : {0.21, 1.63, 9.7})
+    for (const SearchSettings& settings :
+         {SearchSettings{}, SearchSettings{.tolerance = 0.004, .guess = 1.6}})
+    {
+      const RunTrial soil = fake_soil(critical, 0.0005);
+      const FactorOfSafety alone = search(soil, settings);
+      for (const int ranks : {2, 3, 5, 8})
+        for (const FactorOfSafety& F : team_search(soil, settings, ranks))
+        {
+          EXPECT_EQ(F.stands, alone.stands);
+          EXPECT_EQ(F.fails, alone.fails);
+          EXPECT_EQ(F.complete, alone.complete);
+          ASSERT_EQ(F.trials.size(), alone.trials.size());
+          for (std::size_t i = 0; i < F.trials.size(); ++i)
+          {
+            EXPECT_EQ(F.trials[i].factor, alone.trials[i].factor);
+            EXPECT_EQ(F.trials[i].outcome, alone.trials[i].outcome);
+            EXPECT_EQ(F.trials[i].state.ux, alone.trials[i].state.ux);
+          }
+        }
+    }
+}
+
+TEST(TeamSearch, TakesFewerRoundsTheMoreRanksThereAre)
+{
+  const auto rounds = [](int ranks)
+  {
+    std::atomic<int> trials_of_rank_0 = 0;
+    ThreadTeam::Shared shared(ranks);
+    std::vector<std::jthread> threads;
+    for (int rank = 0; rank < ranks; ++rank)
+      threads.emplace_back(
+          [&, rank]
+          {
+            ThreadTeam team(shared, rank);
+            Observer silent;
+            const RunTrial soil = [&, rank](double factor, Observer& observer)
+            {
+              trials_of_rank_0 += rank == 0;
+              return fake_soil(1.7)(factor, observer);
+            };
+            (void)reduce_strength(soil, {.lower = 1, .upper = 3}, silent, team);
+          });
+    threads.clear();
+    return trials_of_rank_0.load();
+  };
+  EXPECT_EQ(rounds(1), 7); // bisection of 2 to 0.0156
+  EXPECT_EQ(rounds(3), 4); // two bisections a round
+  EXPECT_EQ(rounds(7), 3); // three
+}
+
+TEST(TeamSearch, AnErrorInATrialIsThrownOnEveryRankOnceTheTrialIsWanted)
+{
+  const RunTrial soil = [](double factor, Observer& observer)
+  {
+    if (factor > 1.9)
+      throw NumericalError("stress of particle 7 is not finite");
+    return fake_soil(1.7)(factor, observer);
+  };
+  ThreadTeam::Shared shared(2);
+  std::atomic<int> thrown = 0;
+  std::vector<std::jthread> threads;
+  for (int rank = 0; rank < 2; ++rank)
+    threads.emplace_back(
+        [&, rank]
+        {
+          ThreadTeam team(shared, rank);
+          Observer silent;
+          try
+          {
+            (void)reduce_strength(soil, {.lower = 1, .upper = 3}, silent, team);
+          }
+          catch (const NumericalError&)
+          {
+            ++thrown;
+          }
+        });
+  threads.clear();
+  EXPECT_EQ(thrown, 2); // the first middle is 2
+  // One that no rank would have wanted alone is no error: 1.25 is only tried ahead.
+  const RunTrial bad_below = [](double factor, Observer& observer)
+  {
+    if (factor < 1.3)
+      throw NumericalError("not wanted");
+    return fake_soil(1.7)(factor, observer);
+  };
+  for (const FactorOfSafety& F : team_search(bad_below, {.lower = 1, .upper = 2}, 3))
+    EXPECT_TRUE(F.complete) << F.reason;
+}
+
+TEST(SearchAhead, TheFirstWantedIsTheNextAndTheOthersFollowFromSuppositions)
+{
+  const SearchSettings settings{.lower = 1, .upper = 3};
+  EXPECT_EQ(wanted_next(settings, {}, 7),
+            (std::vector<double>{2, 2.5, 1.5, 2.75, 2.25, 1.75, 1.25}));
+  // With a guess either side of it comes first: a good one needs no more.
+  const std::vector<double> near = wanted_next({.tolerance = 0.01, .guess = 2.0}, {}, 2);
+  ASSERT_EQ(near.size(), 2u);
+  EXPECT_NEAR(near[0], 1.99, 1e-9);
+  EXPECT_NEAR(near[1], 2.01, 1e-9);
+  // Nothing is wanted once the bracket is closed.
+  FactorOfSafety closed = search(fake_soil(1.7), settings);
+  Outcomes known;
+  for (const Trial& trial : closed.trials)
+    known[trial.factor] = trial.outcome;
+  EXPECT_TRUE(wanted_next(settings, known, 4).empty());
+}
+
+TEST(TrialBytes, ComeBackAsTheyWent)
+{
+  Trial trial;
+  trial.factor = 1.25;
+  trial.outcome = Outcome::fails;
+  trial.reason = "moves ever faster";
+  trial.history = {{1, 2, 3}, {4, 5, 6}};
+  trial.steps = 77;
+  trial.interrupted = true;
+  trial.seconds = {1.5, 2.5};
+  trial.state.ux = {1, 2};
+  trial.state.stress = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+  trial.state.density = {9};
+  ByteWriter out;
+  write(out, trial);
+  const std::string bytes = out.bytes();
+  Trial back;
+  ByteReader in(bytes);
+  read(in, back);
+  ByteWriter again;
+  write(again, back);
+  EXPECT_EQ(again.bytes(), bytes);
+  EXPECT_EQ(back.reason, trial.reason);
+  EXPECT_EQ(back.history[1].max_displacement, 6);
+  EXPECT_EQ(back.state.stress[1].xy, 8);
+  EXPECT_EQ(back.seconds.cpu, 2.5);
+  EXPECT_TRUE(back.state.vx.empty());
 }
 } // namespace berm::sph

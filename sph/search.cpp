@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sph/search.h"
+
+#include <algorithm>
+#include <deque>
+#include <fmt/core.h>
+#include <utility>
+
+namespace berm::sph
+{
+namespace
+{
+/// Of the range: once the answer is nearer than this to an end that is only guessed, it is tried.
+constexpr double doubtful = 0.13; // three bisections on one side
+
+/// Goes through the search from its start with what is known, up to the first factor that is not.
+class Replay
+{
+public:
+  Replay(const SearchSettings& settings, const Outcomes& known) : settings_(settings), known_(known)
+  {
+  }
+
+  SearchStep run()
+  {
+    // The ends of the range are guesses: bisect between them, try an end only when the answer seems
+    // to lie near it or beyond.
+    double lower = settings_.lower, upper = settings_.upper;
+    if (settings_.guess)
+    {
+      lower = *settings_.guess - reach();
+      upper = *settings_.guess + reach();
+    }
+    double range = upper - lower;
+    while (goes_on())
+    {
+      lower = step_.stands.value_or(lower);
+      upper = step_.fails.value_or(upper);
+      const bool wide = upper - lower > 2 * settings_.tolerance;
+      const bool bracketed = step_.stands && step_.fails;
+      const bool doubted = settings_.guess || upper - lower <= doubtful * range;
+      if (wide && (bracketed || !doubted))
+        bisect(lower, upper);
+      else if (!step_.stands)
+      {
+        lower = widen(lower, [&](double F) { return std::max(below(F), settings_.min_factor); });
+        range = upper - lower;
+      }
+      else if (!step_.fails)
+      {
+        upper = widen(upper, [&](double F) { return std::min(above(F), settings_.max_factor); });
+        range = upper - lower;
+      }
+      else
+        step_.complete = true;
+    }
+    return std::move(step_);
+  }
+
+private:
+  [[nodiscard]] bool goes_on() const
+  {
+    return !step_.next && !step_.complete && step_.reason.empty();
+  }
+
+  /// The tolerance, but for rounding: brackets of twice this are no wider than asked.
+  [[nodiscard]] double reach() const { return settings_.tolerance * (1 - 1e-9); }
+
+  /// Where to look next beyond an end that contradicted its name: near a guess in steps that
+  /// double.
+  double below(double F) { return settings_.guess ? F - next_stride() : F / 1.5; }
+  double above(double F) { return settings_.guess ? F + next_stride() : F * 1.5; }
+  double next_stride()
+  {
+    stride_ = stride_ > 0 ? 2 * stride_ : 2 * reach();
+    return stride_;
+  }
+
+  void bisect(double lower, double upper)
+  {
+    const double middle = 0.5 * (lower + upper);
+    if (attempt(middle) && attempt(0.5 * (lower + middle)))
+      step_.reason = fmt::format("trials at {:.4g} and {:.4g} stayed undecided", middle,
+                                 0.5 * (lower + middle));
+  }
+
+  /// Try an end of the range that was only guessed; if it contradicts its name, move it outwards.
+  template <class Outwards>
+  double widen(double end, Outwards&& outwards)
+  {
+    const bool is_lower = !step_.stands;
+    if (attempt(end))
+      step_.reason = fmt::format("the trial at {:.4g} stayed undecided", end);
+    if (!goes_on() || (is_lower ? step_.stands.has_value() : step_.fails.has_value()))
+      return end;
+    const double next = outwards(end);
+    if (next == end)
+      step_.reason = is_lower ? fmt::format("it fails even at {:.4g}", end)
+                              : fmt::format("it stands even at {:.4g}", end);
+    return next;
+  }
+
+  /// Take in the trial at F, or ask for it. @return Whether it is known to be undecided.
+  bool attempt(double F)
+  {
+    const auto it = known_.find(F);
+    if (it == known_.end())
+    {
+      step_.next = F;
+      return false;
+    }
+    if (it->second == Outcome::stands)
+      step_.stands = std::max(F, step_.stands.value_or(F));
+    else if (it->second == Outcome::fails)
+      step_.fails = std::min(F, step_.fails.value_or(F));
+    if (step_.stands && step_.fails && *step_.stands >= *step_.fails)
+      step_.reason = fmt::format("contradiction: it stands at {:.4g} and fails at {:.4g}",
+                                 *step_.stands, *step_.fails);
+    return it->second == Outcome::undecided;
+  }
+
+  const SearchSettings& settings_;
+  const Outcomes& known_;
+  SearchStep step_;
+  double stride_ = 0;
+};
+} // namespace
+
+const char* to_string(Outcome outcome)
+{
+  switch (outcome)
+  {
+  case Outcome::stands:
+    return "stands";
+  case Outcome::fails:
+    return "fails";
+  case Outcome::undecided:
+    break;
+  }
+  return "undecided";
+}
+
+SearchStep next_step(const SearchSettings& settings, const Outcomes& known)
+{
+  return Replay(settings, known).run();
+}
+
+std::vector<double> wanted_next(const SearchSettings& settings, const Outcomes& known, int count)
+{
+  std::vector<double> wanted;
+  std::deque<Outcomes> supposed = {known}; // breadth first: the fewer suppositions the better
+  while (!supposed.empty() && std::ssize(wanted) < count)
+  {
+    const Outcomes outcomes = std::move(supposed.front());
+    supposed.pop_front();
+    const std::optional<double> next = next_step(settings, outcomes).next;
+    if (!next)
+      continue;
+    if (std::find(wanted.begin(), wanted.end(), *next) == wanted.end())
+      wanted.push_back(*next);
+    for (const Outcome outcome : {Outcome::stands, Outcome::fails})
+    {
+      supposed.push_back(outcomes);
+      supposed.back()[*next] = outcome;
+    }
+  }
+  return wanted;
+}
+} // namespace berm::sph

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Where to try next: pure functions of what is known, so that trials may run ahead of the search.
+namespace berm::sph
+{
+enum class Outcome
+{
+  stands,
+  fails,
+  undecided
+};
+
+[[nodiscard]] const char* to_string(Outcome outcome);
+
+/// What the search is to find, and how closely.
+struct SearchSettings
+{
+  double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
+  double tolerance = 0.01;                   ///< half the width of the bracket
+  double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
+  /// Tried first: the tolerance to either side of it, then ever farther out.
+  std::optional<double> guess = std::nullopt;
+};
+
+/// Trials by their factor.
+using Outcomes = std::map<double, Outcome>;
+
+/// What the trials so far tell, and what is wanted next.
+struct SearchStep
+{
+  std::optional<double> stands; ///< largest factor at which the slope stood
+  std::optional<double> fails;  ///< smallest factor at which it failed
+  std::optional<double> next;   ///< factor to try; nothing: the search is over
+  bool complete = false; ///< bracket no wider than asked, both ends tried, nothing undecided in it
+  std::string reason;    ///< why over and not complete
+};
+
+/// @brief Bisection, widening where an end contradicts its name.
+/// An undecided trial is never counted as either outcome: the search tries once beside it (a
+/// quarter of the bracket below), and ends incomplete, saying why, if that is undecided too.
+[[nodiscard]] SearchStep next_step(const SearchSettings& settings, const Outcomes& known);
+
+/// @brief Factors that the search will or may want next, the most certain first.
+/// The first is what `next_step` wants; the others follow from either outcome of those before them.
+/// @return At most `count` factors, none known, none twice; none if the search is over.
+[[nodiscard]] std::vector<double> wanted_next(const SearchSettings& settings, const Outcomes& known,
+                                              int count);
+} // namespace berm::sph

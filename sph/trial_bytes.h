@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sph/strength_reduction.h"
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// Trials as bytes, to send them between processes of one program on one kind of machine.
+namespace berm::sph
+{
+class ByteWriter
+{
+public:
+  template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+  void put(const Value& value)
+  {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  /// Strings and vectors of plain values: length, then content.
+  template <class List>
+    requires std::is_trivially_copyable_v<typename List::value_type>
+  void put(const List& list)
+  {
+    put(list.size());
+    bytes_.append(reinterpret_cast<const char*>(list.data()),
+                  list.size() * sizeof(typename List::value_type));
+  }
+  [[nodiscard]] std::string bytes() { return std::move(bytes_); }
+
+private:
+  std::string bytes_;
+};
+
+/// Reads what a ByteWriter wrote, in the same order.
+class ByteReader
+{
+public:
+  explicit ByteReader(const std::string& bytes) : next_(bytes.data()) {}
+
+  template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+  void get(Value& value)
+  {
+    std::memcpy(&value, next_, sizeof value);
+    next_ += sizeof value;
+  }
+  template <class List>
+    requires std::is_trivially_copyable_v<typename List::value_type>
+  void get(List& list)
+  {
+    std::size_t size = 0;
+    get(size);
+    list.resize(size);
+    if (size > 0)
+      std::memcpy(list.data(), next_, size * sizeof(typename List::value_type));
+    next_ += size * sizeof(typename List::value_type);
+  }
+
+private:
+  const char* next_;
+};
+
+void write(ByteWriter& bytes, const Trial& trial);
+void read(ByteReader& bytes, Trial& trial);
+} // namespace berm::sph
