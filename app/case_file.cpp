@@ -265,6 +265,7 @@ private:
       case_.search.upper = (*range)[1];
     }
     case_.search.tolerance = number("stability.tolerance", case_.search.tolerance);
+    case_.flow_rule_spread = values_.get<bool>("stability.flow_rule_spread").value_or(false);
     assemble_scope();
     case_.stability = values_.get<bool>("stability.enabled").value_or(true) && !seepage_only_;
     if (!case_.stability && !values_.run_out &&

@@ -244,6 +244,12 @@ const std::vector<Key> table = {
      .presence = defaulted,
      .otherwise = "0.01",
      .sentence = "Half the width of the final bracket of the factor of safety."},
+    {.path = "stability.flow_rule_spread",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "false",
+     .sentence = "Whether to find the factor with `dilation_angle_deg` = 0 and = "
+                 "`friction_angle_deg`, too: what the flow rule makes of it."},
     {.path = "stability.side",
      .type = choice,
      .choices = {"any", "left", "right", "both"},

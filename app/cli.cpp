@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/figures.h"
 #include "app/frame_files.h"
+#include "app/process_team.h"
 #include "app/report.h"
 #include "app/result_json.h"
 #include "app/run_writer.h"
@@ -16,6 +17,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -37,17 +39,24 @@ struct RunOptions
 int run_case(const RunOptions& options, KeyPlaces& places)
 {
   const coupling::Case input = read_case(options.case_path, options.read, places);
+  Team& team = process_team();
+  const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
   const std::filesystem::path directory = options.out.empty() ? default_directory(options.case_path)
                                                               : std::filesystem::path(options.out);
-  prepare_directory(directory);
+  if (speaks)
+    prepare_directory(directory);
   if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
     omp_set_num_threads(threads);
+  else
+    omp_set_num_threads(std::max(1, omp_get_num_procs() / team.size()));
 
   places.run_began = true;
   catch_stop_signals();
   FrameFiles frames(directory, options.resume);
-  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet);
-  const coupling::Analysis analysis = coupling::analyse(input, console, frames);
+  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
+  const coupling::Analysis analysis = coupling::analyse(input, console, frames, team);
+  if (!speaks)
+    return complete(input, analysis) ? exit_ok : exit_no_answer;
 
   write_run(directory, input, analysis);
   if (input.output.figures && !analysis.interrupted)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli.h"
+#include "app/process_team.h"
 #include "app/threads.h"
 #include "core/error.h"
 
@@ -12,6 +13,7 @@ namespace
 int fail(int code, const char* what, const char* text)
 {
   std::fprintf(stderr, "berm: %s%s\n", what, text);
+  berm::app::end_team(code);
   return code;
 }
 } // namespace
@@ -26,7 +28,8 @@ int main(int argc, char** argv)
   }
   catch (const berm::InputError& e)
   {
-    std::fputs(berm::app::describe(e.mistakes(), places).c_str(), stderr);
+    if (berm::app::process_team().rank() == 0) // every rank reads the same case
+      std::fputs(berm::app::describe(e.mistakes(), places).c_str(), stderr);
     return berm::app::exit_bad_input;
   }
   catch (const berm::NotConverged& e)

@@ -4,6 +4,7 @@
 #include "app/result_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,15 +152,48 @@ void add_critical_circle(Page& page, const std::optional<coupling::SlipCircle>& 
                            circle->x_left, circle->x_right));
 }
 
+/// "2.385, 2.381 at 0.5, 1 m"
+std::string factors_text(const coupling::FoundFactor& found)
+{
+  std::vector<std::string> factors = {fmt::format("{:.3f}", found.bracket()->factor())};
+  std::vector<std::string> spacings = {fmt::format("{:g}", found.spacing)};
+  for (const coupling::SpacingFactor& level : found.coarser)
+  {
+    factors.push_back(fmt::format("{:.3f}", level.F.factor()));
+    spacings.push_back(fmt::format("{:g}", level.spacing));
+  }
+  return fmt::format("{} at {} m", fmt::join(factors, ", "), fmt::join(spacings, ", "));
+}
+
+void add_uncertainty(Page& page, const coupling::FoundFactor& found)
+{
+  const auto range = found.range();
+  if (!range)
+    return;
+  const auto error = found.discretisation();
+  page.row("may lie",
+           fmt::format("from {:.3f} to {:.3f}: by the bracket{}{}", range->low, range->high,
+                       error ? ", the spacing" : "", found.flow_rule ? ", the flow rule" : ""));
+  if (!error)
+    page.row("", "the section is too coarse for an estimate from a second spacing");
+  else if (error->order)
+    page.row("spacing",
+             fmt::format("{}: order {:.1f}, limit {:.3f}, +- {:.3f}", factors_text(found),
+                         *error->order, *error->extrapolated, error->error));
+  else
+    page.row("spacing",
+             fmt::format("{}: no clear order, +- {:.3f}", factors_text(found), error->error));
+  if (found.flow_rule)
+    page.row("flow rule", fmt::format("{:.3f} without dilation, {:.3f} with psi = phi",
+                                      found.flow_rule->no_dilation.factor(),
+                                      found.flow_rule->associated.factor()));
+}
+
 void add_found(Page& page, const coupling::FoundFactor& found)
 {
   const sph::FactorOfSafety& F = found.F;
   page.row("factor of safety", factor_text(F));
-  if (found.coarse && F.factor())
-    page.row("spacing",
-             fmt::format("at {:g} m F = {:.3f}: halving the spacing changed it by {:+.3f}",
-                         found.coarse->spacing, found.coarse->factor(),
-                         *F.factor() - found.coarse->factor()));
+  add_uncertainty(page, found);
   if (F.fails)
     add_mechanism(page, found.mechanism);
   add_critical_circle(page, found.critical_circle);

@@ -148,16 +148,45 @@ Json history_json(const std::vector<sph::TrialWindow>& history)
   return {{"time_s", time}, {"velocity_measure", velocity}, {"max_displacement_m", displacement}};
 }
 
-Json coarse_json(const std::optional<coupling::CoarseFactor>& coarse,
-                 const sph::FactorOfSafety& factor)
+Json bracket_json(const coupling::Bracket& bracket)
 {
-  if (!coarse)
+  return {{"factor", bracket.factor()}, {"stands", bracket.stands}, {"fails", bracket.fails}};
+}
+
+Json spacings_json(const coupling::FoundFactor& found)
+{
+  Json list = Json::array();
+  const auto add = [&](double spacing, const coupling::Bracket& bracket)
+  {
+    list.push_back(bracket_json(bracket));
+    list.back()["spacing_m"] = spacing;
+  };
+  add(found.spacing, *found.bracket());
+  for (const coupling::SpacingFactor& level : found.coarser)
+    add(level.spacing, level.F);
+  return list;
+}
+
+/// Null where the search found no factor.
+Json uncertainty_json(const coupling::FoundFactor& found)
+{
+  const auto range = found.range();
+  if (!range)
     return nullptr;
-  return {{"spacing_m", coarse->spacing},
-          {"factor", coarse->factor()},
-          {"stands", coarse->stands},
-          {"fails", coarse->fails},
-          {"change", factor.factor() ? Json(*factor.factor() - coarse->factor()) : Json(nullptr)}};
+  Json json = {{"low", range->low},
+               {"high", range->high},
+               {"bracket", found.bracket()->half_width()},
+               {"discretisation", nullptr},
+               {"flow_rule", nullptr}};
+  if (const auto error = found.discretisation())
+    json["discretisation"] = {{"error", error->error},
+                              {"order", or_null(error->order)},
+                              {"extrapolated", or_null(error->extrapolated)},
+                              {"spacings", spacings_json(found)}};
+  if (found.flow_rule)
+    json["flow_rule"] = {{"no_dilation", bracket_json(found.flow_rule->no_dilation)},
+                         {"associated", bracket_json(found.flow_rule->associated)}};
+  return json;
 }
 
 Json trials_json(const std::vector<sph::Trial>& trials)
@@ -190,7 +219,7 @@ Json found_json(const coupling::FoundFactor& found)
           {"side", found.mechanism ? Json(found.mechanism->side) : Json(nullptr)},
           {"mechanism", mechanism_json(found.mechanism)},
           {"limit_equilibrium", circle_json(found.critical_circle)},
-          {"coarse", coarse_json(found.coarse, F)},
+          {"uncertainty", uncertainty_json(found)},
           {"trials", trials_json(F.trials)}};
 }
 
@@ -327,7 +356,8 @@ std::optional<double> particle_steps_per_cpu_second(const coupling::Analysis& an
   double cpu = 0;
   for (const coupling::StageSeconds& stage : analysis.stages)
     if (stage.stage == "settling" || stage.stage.starts_with("coarse") ||
-        stage.stage.starts_with("strength reduction") || stage.stage == "run-out")
+        stage.stage.starts_with("flow rules") || stage.stage.starts_with("strength reduction") ||
+        stage.stage == "run-out")
       cpu += stage.seconds.cpu;
   if (!analysis.stability || analysis.stability->particle_steps <= 0 || cpu <= 0)
     return std::nullopt;

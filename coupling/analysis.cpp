@@ -121,6 +121,7 @@ struct Scene
   const meshes::Section& section;
   const std::vector<sph::Soil>& soils;
   const PorePressure& p_w;
+  Team& team;
 };
 
 /// The soils, and again as held soil: what `strength_index` counts.
@@ -201,7 +202,7 @@ sph::FactorOfSafety factor_of_safety(const Body& body, const Scene& scene,
                           cones_in_region(scene.soils, factor, scene.input.sph.cone), factor,
                           trial_observer);
   };
-  return sph::reduce_strength(trial, search, observer);
+  return sph::reduce_strength(trial, search, observer, scene.team);
 }
 
 double steps_of(const sph::FactorOfSafety& F)
@@ -212,19 +213,34 @@ double steps_of(const sph::FactorOfSafety& F)
   return steps;
 }
 
-constexpr std::size_t worth_a_coarse_search = 6000; // particles; below, all of it takes a second
-
-/// Particles twice as far apart, settled; nothing where the section is too coarse for them.
-std::optional<Body> coarse_body(const Scene& scene, Observer& observer)
-try
+/// @brief The section on particles 2 and 4 times as far apart, settled, finest first.
+/// They tell the search where to look, at an eighth and a 64th of the cost, and how much the factor
+/// still changes with the spacing. Only as many as the section is fine enough for.
+std::vector<Body> coarser_bodies(const Scene& scene, Observer& observer)
 {
-  Body body = make_body(scene, 2 * scene.input.sph.spacing);
-  settle(body, scene, observer);
-  return body;
+  constexpr std::size_t fewest = 100; // particles: a slope ten high and ten long
+  std::vector<Body> bodies;
+  for (const double ratio : {2, 4})
+    try
+    {
+      Body body = make_body(scene, ratio * scene.input.sph.spacing);
+      if (body.particles.size() < fewest)
+        break;
+      settle(body, scene, observer);
+      bodies.push_back(std::move(body));
+    }
+    catch (const InputError&) // its packing is refused
+    {
+      break;
+    }
+  return bodies;
 }
-catch (const InputError&) // its packing is refused
+
+std::optional<Bracket> closed_bracket(const sph::FactorOfSafety& F)
 {
-  return std::nullopt;
+  if (!F.complete)
+    return std::nullopt;
+  return Bracket{F.stands.value(), F.fails.value()};
 }
 
 /// The critical circle to the side to which the slope fails; to the weaker one if that is not
@@ -240,38 +256,86 @@ std::optional<SlipCircle> find_critical_circle(const LimitEquilibriumModel& mode
   return !left || (right && right->bishop < left->bishop) ? right : left;
 }
 
+/// On ever finer particles, each search beginning where the one before ended.
+void search_on_coarser(FoundFactor& found, const Scene& scene, std::vector<Body>& coarser,
+                       sph::SearchSettings& search, Stability& stability, Observer& observer)
+{
+  for (auto body = coarser.rbegin(); body != coarser.rend(); ++body)
+  {
+    if (!holds_particles(found.region, body->particles))
+      continue;
+    body->reduce_in(found.region, scene.soils.size());
+    const sph::FactorOfSafety F = factor_of_safety(*body, scene, search, observer);
+    stability.particle_steps += body->particle_steps(steps_of(F));
+    const std::optional<Bracket> bracket = closed_bracket(F);
+    if (!bracket)
+      continue;
+    found.coarser.insert(found.coarser.begin(), {body->particles.spacing, *bracket});
+    search.guess = bracket->factor();
+  }
+}
+
+/// The factor with psi = 0 and with psi = phi. Nothing if one of the two stays open.
+std::optional<FlowRuleSpread> flow_rule_spread(const Body& body, const Scene& scene,
+                                               const sph::FactorOfSafety& F, Stability& stability,
+                                               Observer& observer)
+{
+  sph::SearchSettings search = scene.input.search;
+  search.guess = F.factor();
+  const auto with_dilation = [&](bool associated)
+  {
+    std::vector<sph::Soil> soils = scene.soils;
+    bool changed = false;
+    for (sph::Soil& soil : soils)
+    {
+      const double psi = associated ? soil.friction_angle : 0;
+      changed = changed || soil.dilation_angle != psi;
+      soil.dilation_angle = psi;
+    }
+    if (!changed)
+      return closed_bracket(F);
+    const Scene dilating{scene.input, scene.section, soils, scene.p_w, scene.team};
+    const sph::FactorOfSafety found = factor_of_safety(body, dilating, search, observer);
+    stability.particle_steps += body.particle_steps(steps_of(found));
+    return closed_bracket(found);
+  };
+  const std::optional<Bracket> none = with_dilation(false), associated = with_dilation(true);
+  if (!none || !associated)
+    return std::nullopt;
+  return FlowRuleSpread{*none, *associated};
+}
+
 /// One search: where the strength in a region is reduced, when does the slope fail, and how?
 /// @param[in]     suffix    Of the stages' names.
 /// @param[in,out] analysis  Gains the stages and their cost.
 FoundFactor find_factor(const Scene& scene, const Region& region, Body& body,
-                        std::optional<Body>& coarse, const std::string& suffix, Analysis& analysis,
+                        std::vector<Body>& coarser, const std::string& suffix, Analysis& analysis,
                         Observer& observer)
 {
   FoundFactor found;
   found.region = region;
+  found.spacing = scene.input.sph.spacing;
   Stability& stability = *analysis.stability;
   sph::SearchSettings search = scene.input.search;
 
   // Step 1: on coarse particles, to know where to look.
-  if (coarse && holds_particles(region, coarse->particles))
-  {
-    coarse->reduce_in(region, scene.soils.size());
-    const auto F = timed(analysis, observer, "coarse search" + suffix,
-                         [&] { return factor_of_safety(*coarse, scene, search, observer); });
-    stability.particle_steps += coarse->particle_steps(steps_of(F));
-    if (F.complete)
-      found.coarse = CoarseFactor{.spacing = coarse->particles.spacing,
-                                  .stands = F.stands.value(),
-                                  .fails = F.fails.value()};
-  }
-  if (found.coarse)
-    search.guess = found.coarse->factor();
+  if (!coarser.empty())
+    timed(analysis, observer, "coarse search" + suffix,
+          [&] { search_on_coarser(found, scene, coarser, search, stability, observer); });
 
   // Step 2: the factor.
   body.reduce_in(region, scene.soils.size());
   found.F = timed(analysis, observer, "strength reduction" + suffix,
                   [&] { return factor_of_safety(body, scene, search, observer); });
   stability.particle_steps += body.particle_steps(steps_of(found.F));
+  if (scene.input.flow_rule_spread && found.F.complete)
+  {
+    found.flow_rule =
+        timed(analysis, observer, "flow rules" + suffix,
+              [&] { return flow_rule_spread(body, scene, found.F, stability, observer); });
+    if (!found.flow_rule && !observer.stop_requested())
+      observer.warn("no spread over the flow rules: one of its searches found no factor");
+  }
 
   // Step 3: the mechanism, and the circle beside it.
   if (const sph::Trial* failing = found.F.failing_trial())
@@ -350,13 +414,42 @@ const FoundFactor& Stability::governing() const
                            { return least_possible(a) < least_possible(b); });
 }
 
+std::optional<Bracket> FoundFactor::bracket() const
+{
+  if (!F.stands || !F.fails)
+    return std::nullopt;
+  return Bracket{*F.stands, *F.fails};
+}
+
+std::optional<DiscretisationError> FoundFactor::discretisation() const
+{
+  if (!F.complete)
+    return std::nullopt;
+  std::vector<SpacingFactor> finest_first = {{spacing, *bracket()}};
+  finest_first.insert(finest_first.end(), coarser.begin(), coarser.end());
+  return discretisation_error(finest_first);
+}
+
+std::optional<FactorRange> FoundFactor::range() const
+{
+  if (!F.complete)
+    return std::nullopt;
+  return factor_range(*bracket(), discretisation(), flow_rule);
+}
+
 Analysis analyse(const Case& input, Observer& observer)
 {
   RunOutStore none;
   return analyse(input, observer, none);
 }
 
-Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
+Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames)
+{
+  Team alone;
+  return analyse(input, observer, frames, alone);
+}
+
+Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Team& team)
 {
   Case input = given;
   Analysis analysis;
@@ -381,7 +474,7 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
 
   stability.free_surface = hydrostatic_surface(input, section);
   const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
-  const Scene scene{input, section, soils, p_w};
+  const Scene scene{input, section, soils, p_w, team};
   const std::vector<Region> wanted =
       input.stability ? regions(input.scope, section) : std::vector<Region>{};
 
@@ -399,19 +492,20 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames)
   for (const Region& region : wanted)
     require_particles(region, stability.particles);
 
-  std::optional<Body> coarse;
-  if (!wanted.empty() && !body.moving && body.particles.size() >= worth_a_coarse_search)
-    timed(analysis, observer, "coarse settling", [&] { coarse = coarse_body(scene, observer); });
-  if (coarse)
-    stability.particle_steps += coarse->particle_steps(static_cast<double>(coarse->settled.steps));
+  std::vector<Body> coarser;
+  if (!wanted.empty() && !body.moving)
+    coarser = timed(analysis, observer, "coarse settling",
+                    [&] { return coarser_bodies(scene, observer); });
+  for (const Body& c : coarser)
+    stability.particle_steps += c.particle_steps(static_cast<double>(c.settled.steps));
   for (const Region& region : wanted)
     if (stability.searches.empty() || !observer.stop_requested())
-      stability.searches.push_back(find_factor(scene, region, body, coarse,
+      stability.searches.push_back(find_factor(scene, region, body, coarser,
                                                wanted.size() > 1 ? ", " + region.name : "",
                                                analysis, observer));
   analysis.interrupted = observer.stop_requested();
 
-  if (input.run_out && !analysis.interrupted)
+  if (input.run_out && !analysis.interrupted && team.rank() == 0)
     analysis.run_out = timed(analysis, observer, "run-out",
                              [&] { return run_out(scene, stability, frames, observer); });
   if (analysis.run_out)

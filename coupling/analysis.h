@@ -3,9 +3,11 @@
 
 #include "core/observer.h"
 #include "core/stopwatch.h"
+#include "core/team.h"
 #include "coupling/case.h"
 #include "coupling/limit_equilibrium.h"
 #include "coupling/region.h"
+#include "coupling/uncertainty.h"
 #include "meshes/section.h"
 #include "seepage/solution.h"
 #include "sph/mechanism.h"
@@ -20,25 +22,22 @@
 
 namespace berm::coupling
 {
-/// The factor of safety on particles twice as far apart, at an eighth of the cost: it tells the
-/// search where to look, and by how much F still changes with the spacing.
-struct CoarseFactor
-{
-  double spacing = 0; ///< [m]
-  double stands = 0, fails = 0;
-
-  [[nodiscard]] double factor() const { return 0.5 * (stands + fails); }
-};
-
 /// The answer of one search: by what the strength in a region is divided when the slope fails, and
 /// how it fails then.
 struct FoundFactor
 {
   Region region;
+  double spacing = 0; ///< dx [m]
   sph::FactorOfSafety F;
-  std::optional<CoarseFactor> coarse;        ///< where it was worth its while
+  std::vector<SpacingFactor> coarser; ///< on particles 2 and 4 times as far apart, finest first
+  std::optional<FlowRuleSpread> flow_rule;   ///< where asked for
   std::optional<sph::Mechanism> mechanism;   ///< of the failing trial
   std::optional<SlipCircle> critical_circle; ///< by limit equilibrium, to the side of the mechanism
+
+  /// Nothing unless both ends are known.
+  [[nodiscard]] std::optional<Bracket> bracket() const;
+  [[nodiscard]] std::optional<DiscretisationError> discretisation() const;
+  [[nodiscard]] std::optional<FactorRange> range() const;
 };
 
 /// What the soil stage leaves behind.
@@ -97,6 +96,10 @@ public:
 
 /// @brief The straight path: section, seepage, particles, pore pressure, settling, strength
 /// reduction, mechanism, run-out. A stage that the case does not ask for is not built.
+/// The ranks of a team all do all of it, but share the trials; all get the same analysis, except
+/// that the run-out runs on rank 0 alone.
+[[nodiscard]] Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames,
+                               Team& team);
 [[nodiscard]] Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames);
 [[nodiscard]] Analysis analyse(const Case& input, Observer& observer); ///< keeps no frames
 } // namespace berm::coupling

@@ -131,8 +131,8 @@ private:
   void take_in(Attempt attempt)
   {
     if (!attempt.error.empty())
-      throw NumericalError(fmt::format("trial at F = {:.5g}: {}", attempt.trial.factor,
-                                       attempt.error));
+      throw NumericalError(
+          fmt::format("trial at F = {:.5g}: {}", attempt.trial.factor, attempt.error));
     Trial& trial = answer_.trials.emplace_back(std::move(attempt.trial));
     observer_.note(fmt::format("F = {:<7.5g} {:<9} {}; s = {:.2g}, moved {:.3g} m, {} steps, "
                                "{:.1f} s",

@@ -15,14 +15,14 @@ class ByteWriter
 {
 public:
   template <class Value>
-    requires std::is_trivially_copyable_v<Value>
+  requires std::is_trivially_copyable_v<Value>
   void put(const Value& value)
   {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   /// Strings and vectors of plain values: length, then content.
   template <class List>
-    requires std::is_trivially_copyable_v<typename List::value_type>
+  requires std::is_trivially_copyable_v<typename List::value_type>
   void put(const List& list)
   {
     put(list.size());
@@ -42,14 +42,14 @@ public:
   explicit ByteReader(const std::string& bytes) : next_(bytes.data()) {}
 
   template <class Value>
-    requires std::is_trivially_copyable_v<Value>
+  requires std::is_trivially_copyable_v<Value>
   void get(Value& value)
   {
     std::memcpy(&value, next_, sizeof value);
     next_ += sizeof value;
   }
   template <class List>
-    requires std::is_trivially_copyable_v<typename List::value_type>
+  requires std::is_trivially_copyable_v<typename List::value_type>
   void get(List& list)
   {
     std::size_t size = 0;

@@ -46,6 +46,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"sph.threads", "1"},
     {"stability.factor_range", "[1, 2]"},
     {"stability.tolerance", "0.02"},
+    {"stability.flow_rule_spread", "true"},
     {"stability.search_region_m",
      "[[[0, -5], [20, -5], [20, 12], [0, 12]], [[20, -5], [40, -5], [40, 9]]]"},
     {"stability.exclude_region_m", "[[1, 1], [2, 1], [2, 2]]"},
