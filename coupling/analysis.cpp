@@ -233,6 +233,10 @@ std::vector<Body> coarser_bodies(const Scene& scene, Observer& observer)
     {
       break;
     }
+    catch (const NotConverged&) // too few to settle, or stopped
+    {
+      break;
+    }
   return bodies;
 }
 

@@ -2,6 +2,7 @@
 #include "sph/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <fmt/core.h>
 #include <utility>
@@ -25,30 +26,26 @@ public:
   {
     // The ends of the range are guesses: bisect between them, try an end only when the answer seems
     // to lie near it or beyond.
-    double lower = settings_.lower, upper = settings_.upper;
-    if (settings_.guess)
-    {
-      lower = *settings_.guess - reach();
-      upper = *settings_.guess + reach();
-    }
+    double lower = at_or_below(settings_.guess.value_or(settings_.lower));
+    double upper = settings_.guess ? above_by(lower, width()) : at_or_above(settings_.upper);
     double range = upper - lower;
     while (goes_on())
     {
       lower = step_.stands.value_or(lower);
       upper = step_.fails.value_or(upper);
-      const bool wide = upper - lower > 2 * settings_.tolerance;
+      const bool wide = upper - lower > width() * (1 + 1e-9); // but for rounding
       const bool bracketed = step_.stands && step_.fails;
       const bool doubted = settings_.guess || upper - lower <= doubtful * range;
       if (wide && (bracketed || !doubted))
         bisect(lower, upper);
       else if (!step_.stands)
       {
-        lower = widen(lower, [&](double F) { return std::max(below(F), settings_.min_factor); });
+        lower = widen(lower, [&](double F) { return below(F); });
         range = upper - lower;
       }
       else if (!step_.fails)
       {
-        upper = widen(upper, [&](double F) { return std::min(above(F), settings_.max_factor); });
+        upper = widen(upper, [&](double F) { return above(F); });
         range = upper - lower;
       }
       else
@@ -63,22 +60,39 @@ private:
     return !step_.next && !step_.complete && step_.reason.empty();
   }
 
-  /// The tolerance, but for rounding: brackets of twice this are no wider than asked.
-  [[nodiscard]] double reach() const { return settings_.tolerance * (1 - 1e-9); }
+  [[nodiscard]] double width() const { return 2 * settings_.tolerance; } ///< of the last bracket
+
+  /// Multiples of the width, within the limits.
+  [[nodiscard]] double at_or_below(double F) const
+  {
+    return std::max(std::floor(F / width() * (1 + 1e-12)) * width(), settings_.min_factor);
+  }
+  [[nodiscard]] double at_or_above(double F) const
+  {
+    return std::min(std::ceil(F / width() * (1 - 1e-12)) * width(), settings_.max_factor);
+  }
+  [[nodiscard]] double nearest(double F) const { return std::round(F / width()) * width(); }
 
   /// Where to look next beyond an end that contradicted its name: near a guess in steps that
   /// double.
-  double below(double F) { return settings_.guess ? F - next_stride() : F / 1.5; }
-  double above(double F) { return settings_.guess ? F + next_stride() : F * 1.5; }
+  double below(double F) { return at_or_below(settings_.guess ? F - next_stride() : F / 1.5); }
+  double above(double F)
+  {
+    return settings_.guess ? above_by(F, next_stride()) : at_or_above(F * 1.5);
+  }
+  [[nodiscard]] double above_by(double F, double stride) const
+  {
+    return std::min(nearest(F + stride), settings_.max_factor);
+  }
   double next_stride()
   {
-    stride_ = stride_ > 0 ? 2 * stride_ : 2 * reach();
+    stride_ = stride_ > 0 ? 2 * stride_ : width();
     return stride_;
   }
 
   void bisect(double lower, double upper)
   {
-    const double middle = 0.5 * (lower + upper);
+    const double middle = nearest(0.5 * (lower + upper));
     if (attempt(middle) && attempt(0.5 * (lower + middle)))
       step_.reason = fmt::format("trials at {:.4g} and {:.4g} stayed undecided", middle,
                                  0.5 * (lower + middle));

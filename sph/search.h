@@ -24,7 +24,7 @@ struct SearchSettings
   double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
   double tolerance = 0.01;                   ///< half the width of the bracket
   double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
-  /// Tried first: the tolerance to either side of it, then ever farther out.
+  /// Where the answer may be: tried first on either side, then ever farther out.
   std::optional<double> guess = std::nullopt;
 };
 
@@ -42,6 +42,8 @@ struct SearchStep
 };
 
 /// @brief Bisection, widening where an end contradicts its name.
+/// Only whole multiples of twice the tolerance are tried (and half-way below one that stayed
+/// undecided), so that the bracket does not depend on range and guess: only the cost does.
 /// An undecided trial is never counted as either outcome: the search tries once beside it (a
 /// quarter of the bracket below), and ends incomplete, saying why, if that is undecided too.
 [[nodiscard]] SearchStep next_step(const SearchSettings& settings, const Outcomes& known);

@@ -63,15 +63,33 @@ TEST(StrengthReduction, AGoodGuessNeedsTwoTrialsAndABadOneCostsTimeOnly)
     EXPECT_TRUE(F.complete) << F.reason;
     EXPECT_LE(*F.stands, critical);
     EXPECT_GE(*F.fails, critical);
-    EXPECT_LE(*F.fails - *F.stands, 0.02);
+    EXPECT_LE(*F.fails - *F.stands, 0.02 + 1e-12);
     return F.trials.size();
   };
-  EXPECT_EQ(trials(1.605, 1.6), 2u);
-  EXPECT_EQ(trials(1.58, 1.6), 2u); // both below the guess: the upper end was tried as the lower
-  EXPECT_EQ(trials(1.62, 1.6), 3u);
+  EXPECT_EQ(trials(1.605, 1.615), 2u);
+  EXPECT_EQ(trials(1.595, 1.615), 2u); // one below: its upper end was tried as the lower
+  EXPECT_EQ(trials(1.625, 1.615), 3u);
   // Strides of 0.02 that double until they pass the answer, then bisection of the last.
   EXPECT_LE(trials(2.5, 1.6), 2 + 2 * std::ceil(std::log2(1 + 0.9 / 0.02)));
   EXPECT_LE(trials(0.2, 1.6), 2 + 2 * std::ceil(std::log2(1 + 1.4 / 0.02)));
+}
+
+TEST(StrengthReduction, TheBracketDoesNotDependOnRangeAndGuess)
+{
+  for (const double critical : {0.207, 1.009, 1.631, 4.4499})
+  {
+    const FactorOfSafety one = search(fake_soil(critical));
+    for (const double guess : {0.3, 1.0, 1.63, 2.0, 3.7})
+    {
+      const FactorOfSafety other = search(fake_soil(critical), {.guess = guess});
+      EXPECT_EQ(one.stands, other.stands) << critical << " from " << guess; // every bit
+      EXPECT_EQ(one.fails, other.fails) << critical << " from " << guess;
+      const FactorOfSafety ranged =
+          search(fake_soil(critical), {.lower = guess, .upper = guess + 1});
+      EXPECT_EQ(one.stands, ranged.stands) << critical << " from " << guess;
+      EXPECT_EQ(one.fails, ranged.fails) << critical << " from " << guess;
+    }
+  }
 }
 
 TEST(StrengthReduction, BothEndsOfTheBracketWereTried)
@@ -86,8 +104,8 @@ TEST(StrengthReduction, BothEndsOfTheBracketWereTried)
 
 TEST(StrengthReduction, TakesNoMoreTrialsThanBisectionNeeds)
 {
-  const FactorOfSafety F = search(fake_soil(1.7), {.lower = 1, .upper = 3, .tolerance = 0.01});
-  EXPECT_EQ(F.trials.size(), 7u); // 2 / 2^7 = 0.0156 < 0.02
+  const FactorOfSafety F = search(fake_soil(1.7), {.lower = 1, .upper = 3.56, .tolerance = 0.01});
+  EXPECT_EQ(F.trials.size(), 7u); // 128 brackets of 0.02
 }
 
 TEST(StrengthReduction, ReachesAFactorFarOutsideItsRangeInAFewTrialsForEachStep)
@@ -109,11 +127,11 @@ TEST(StrengthReduction, KeepsOnlyTheStatesOfTheBracket)
 
 TEST(StrengthReduction, AnUndecidedTrialIsPassedBy)
 {
-  // 1.75 is the first middle of [0.5, 3]; only it is undecided.
+  // 1.76 is the first middle of [0.5, 3]; only it is undecided.
   const RunTrial soil = [inner = fake_soil(1.9)](double factor, Observer& observer)
   {
     Trial trial = inner(factor, observer);
-    if (factor == 1.75)
+    if (factor == 1.76)
       trial.outcome = Outcome::undecided;
     return trial;
   };
@@ -249,12 +267,12 @@ TEST(TeamSearch, TakesFewerRoundsTheMoreRanksThereAre)
               trials_of_rank_0 += rank == 0;
               return fake_soil(1.7)(factor, observer);
             };
-            (void)reduce_strength(soil, {.lower = 1, .upper = 3}, silent, team);
+            (void)reduce_strength(soil, {.lower = 1, .upper = 3.56}, silent, team);
           });
     threads.clear();
     return trials_of_rank_0.load();
   };
-  EXPECT_EQ(rounds(1), 7); // bisection of 2 to 0.0156
+  EXPECT_EQ(rounds(1), 7); // 128 brackets
   EXPECT_EQ(rounds(3), 4); // two bisections a round
   EXPECT_EQ(rounds(7), 3); // three
 }
@@ -300,14 +318,14 @@ TEST(TeamSearch, AnErrorInATrialIsThrownOnEveryRankOnceTheTrialIsWanted)
 
 TEST(SearchAhead, TheFirstWantedIsTheNextAndTheOthersFollowFromSuppositions)
 {
-  const SearchSettings settings{.lower = 1, .upper = 3};
+  const SearchSettings settings{.lower = 1, .upper = 3, .tolerance = 1. / 128};
   EXPECT_EQ(wanted_next(settings, {}, 7),
             (std::vector<double>{2, 2.5, 1.5, 2.75, 2.25, 1.75, 1.25}));
   // With a guess either side of it comes first: a good one needs no more.
-  const std::vector<double> near = wanted_next({.tolerance = 0.01, .guess = 2.0}, {}, 2);
+  const std::vector<double> near = wanted_next({.tolerance = 0.01, .guess = 2.005}, {}, 2);
   ASSERT_EQ(near.size(), 2u);
-  EXPECT_NEAR(near[0], 1.99, 1e-9);
-  EXPECT_NEAR(near[1], 2.01, 1e-9);
+  EXPECT_NEAR(near[0], 2.00, 1e-9);
+  EXPECT_NEAR(near[1], 2.02, 1e-9);
   // Nothing is wanted once the bracket is closed.
   FactorOfSafety closed = search(fake_soil(1.7), settings);
   Outcomes known;

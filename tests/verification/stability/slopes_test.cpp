@@ -28,6 +28,7 @@ Case slope(Polyline ground, double base, const sph::Soil& s, Polyline free_surfa
   c.section.ground = std::move(ground);
   c.soils = {{.name = "soil", .mechanical = s, .conductivity = {}}};
   c.sph.spacing = 0.5;
+  c.search.tolerance = 0.005;
   if (!free_surface.empty())
   {
     c.water.pore_pressure = PorePressureKind::hydrostatic;
