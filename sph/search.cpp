@@ -93,9 +93,12 @@ private:
   void bisect(double lower, double upper)
   {
     const double middle = nearest(0.5 * (lower + upper));
-    if (attempt(middle) && attempt(0.5 * (lower + middle)))
-      step_.reason = fmt::format("trials at {:.4g} and {:.4g} stayed undecided", middle,
-                                 0.5 * (lower + middle));
+    if (!attempt(middle))
+      return;
+    // Undecided: a bracket around it, as wide as any.
+    const double below = middle - 0.5 * width(), above = middle + 0.5 * width();
+    if (attempt(below) || (goes_on() && step_.stands >= below && attempt(above)))
+      narrow_gap();
   }
 
   /// Try an end of the range that was only guessed; if it contradicts its name, move it outwards.
@@ -103,15 +106,40 @@ private:
   double widen(double end, Outwards&& outwards)
   {
     const bool is_lower = !step_.stands;
-    if (attempt(end))
-      step_.reason = fmt::format("the trial at {:.4g} stayed undecided", end);
-    if (!goes_on() || (is_lower ? step_.stands.has_value() : step_.fails.has_value()))
+    const auto known = [&]
+    { return is_lower ? step_.stands.has_value() : step_.fails.has_value(); };
+    if (const double beyond = end + (is_lower ? -0.5 : 0.5) * width();
+        attempt(end) && attempt(beyond))
+      narrow_gap();
+    if (!goes_on() || known())
       return end;
     const double next = outwards(end);
     if (next == end)
       step_.reason = is_lower ? fmt::format("it fails even at {:.4g}", end)
                               : fmt::format("it stands even at {:.4g}", end);
     return next;
+  }
+
+  /// A gap that no trial decides: how wide it is, and no more.
+  void narrow_gap()
+  {
+    const auto far = [&](double from, double to) { return to - from > width() * (1 + 1e-9); };
+    while (goes_on())
+    {
+      const double lowest = std::min(undecided_.front(), step_.fails.value_or(undecided_.front()));
+      const double highest = std::max(undecided_.back(), step_.stands.value_or(undecided_.back()));
+      if (!step_.stands && lowest > settings_.min_factor)
+        attempt(at_or_below(lowest / 1.2));
+      else if (!step_.fails && highest < settings_.max_factor)
+        attempt(at_or_above(highest * 1.2));
+      else if (step_.stands && far(*step_.stands, undecided_.front()))
+        attempt(nearest(0.5 * (*step_.stands + undecided_.front())));
+      else if (step_.fails && far(undecided_.back(), *step_.fails))
+        attempt(nearest(0.5 * (undecided_.back() + *step_.fails)));
+      else
+        step_.reason = fmt::format("trials from {:.4g} to {:.4g} stayed undecided",
+                                   undecided_.front(), undecided_.back());
+    }
   }
 
   /// Take in the trial at F, or ask for it. @return Whether it is known to be undecided.
@@ -130,12 +158,16 @@ private:
     if (step_.stands && step_.fails && *step_.stands >= *step_.fails)
       step_.reason = fmt::format("contradiction: it stands at {:.4g} and fails at {:.4g}",
                                  *step_.stands, *step_.fails);
-    return it->second == Outcome::undecided;
+    if (it->second != Outcome::undecided)
+      return false;
+    undecided_.insert(std::upper_bound(undecided_.begin(), undecided_.end(), F), F);
+    return true;
   }
 
   const SearchSettings& settings_;
   const Outcomes& known_;
   SearchStep step_;
+  std::vector<double> undecided_; ///< ascending
   double stride_ = 0;
 };
 } // namespace

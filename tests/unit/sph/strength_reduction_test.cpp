@@ -125,9 +125,17 @@ TEST(StrengthReduction, KeepsOnlyTheStatesOfTheBracket)
   EXPECT_EQ(F.failing_trial()->state.ux.front(), *F.fails);
 }
 
-TEST(StrengthReduction, AnUndecidedTrialIsPassedBy)
+TEST(StrengthReduction, AroundAnUndecidedTrialThereIsABracketAsWideAsAny)
 {
-  // 1.76 is the first middle of [0.5, 3]; only it is undecided.
+  // 1.76 is undecided, wherever the search comes from.
+  for (const double guess : {1.2, 1.755, 1.765, 2.4})
+  {
+    const FactorOfSafety F = search(fake_soil(1.76, 0.004), {.guess = guess});
+    EXPECT_TRUE(F.complete) << guess << ": " << F.reason;
+    EXPECT_NEAR(*F.stands, 1.75, 1e-12);
+    EXPECT_NEAR(*F.fails, 1.77, 1e-12);
+  }
+  // Undecided by chance, well inside what stands.
   const RunTrial soil = [inner = fake_soil(1.9)](double factor, Observer& observer)
   {
     Trial trial = inner(factor, observer);
@@ -141,11 +149,19 @@ TEST(StrengthReduction, AnUndecidedTrialIsPassedBy)
   EXPECT_GE(*F.fails, 1.9);
 }
 
-TEST(StrengthReduction, AWideUndecidedGapIsSaidNotRounded)
+TEST(StrengthReduction, AnUndecidedGapIsMeasuredNotRounded)
 {
-  const FactorOfSafety F = search(fake_soil(1.75, 0.3));
-  EXPECT_FALSE(F.complete);
-  EXPECT_NE(F.reason.find("undecided"), std::string::npos) << F.reason;
+  for (const double gap : {0.011, 0.03, 0.3})
+  {
+    const FactorOfSafety F = search(fake_soil(1.75, gap));
+    EXPECT_FALSE(F.complete);
+    EXPECT_NE(F.reason.find("undecided"), std::string::npos) << F.reason;
+    ASSERT_TRUE(F.stands && F.fails);
+    EXPECT_LE(*F.stands, 1.75 - gap);
+    EXPECT_GE(*F.stands, 1.75 - gap - 0.0301); // one and a half steps at most
+    EXPECT_GE(*F.fails, 1.75 + gap);
+    EXPECT_LE(*F.fails, 1.75 + gap + 0.0301);
+  }
 }
 
 TEST(StrengthReduction, SoilThatNeverFailsIsSaidSo)
