@@ -33,7 +33,7 @@ public:
     {
       lower = step_.stands.value_or(lower);
       upper = step_.fails.value_or(upper);
-      const bool wide = upper - lower > width() * (1 + 1e-9); // but for rounding
+      const bool wide = upper - lower > width();
       const bool bracketed = step_.stands && step_.fails;
       const bool doubted = settings_.guess || upper - lower <= doubtful * range;
       if (wide && (bracketed || !doubted))
@@ -60,16 +60,23 @@ private:
     return !step_.next && !step_.complete && step_.reason.empty();
   }
 
-  [[nodiscard]] double width() const { return 2 * settings_.tolerance; } ///< of the last bracket
+  /// Of the last bracket: twice the tolerance, less what takes more than five binary digits. So its
+  /// multiples and their differences are exact.
+  [[nodiscard]] double width() const
+  {
+    int exponent = 0;
+    const double fraction = std::frexp(2 * settings_.tolerance, &exponent);
+    return std::ldexp(std::floor(32 * fraction), exponent - 5);
+  }
 
   /// Multiples of the width, within the limits.
   [[nodiscard]] double at_or_below(double F) const
   {
-    return std::max(std::floor(F / width() * (1 + 1e-12)) * width(), settings_.min_factor);
+    return std::max(std::floor(F / width()) * width(), settings_.min_factor);
   }
   [[nodiscard]] double at_or_above(double F) const
   {
-    return std::min(std::ceil(F / width() * (1 - 1e-12)) * width(), settings_.max_factor);
+    return std::min(std::ceil(F / width()) * width(), settings_.max_factor);
   }
   [[nodiscard]] double nearest(double F) const { return std::round(F / width()) * width(); }
 
@@ -123,7 +130,7 @@ private:
   /// A gap that no trial decides: how wide it is, and no more.
   void narrow_gap()
   {
-    const auto far = [&](double from, double to) { return to - from > width() * (1 + 1e-9); };
+    const auto far = [&](double from, double to) { return to - from > width(); };
     while (goes_on())
     {
       const double lowest = std::min(undecided_.front(), step_.fails.value_or(undecided_.front()));

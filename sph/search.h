@@ -42,10 +42,11 @@ struct SearchStep
 };
 
 /// @brief Bisection, widening where an end contradicts its name.
-/// Only whole multiples of twice the tolerance are tried, so that the bracket does not depend on
-/// range and guess: only the cost does. An undecided trial is never counted as either outcome: half
-/// a step below and above it are tried for a bracket around it. If one of those is undecided, too, the
-/// search finds out how wide the gap is, and ends incomplete, saying so.
+/// Only whole multiples of the bracket's last width are tried, twice the tolerance or up to 6 %
+/// less, so that the bracket does not depend on range and guess: only the cost does. An undecided
+/// trial is never counted as either outcome: half a step below and above it are tried for a bracket
+/// around it. If one of those is undecided, too, the search finds out how wide the gap is, and ends
+/// incomplete, saying so.
 [[nodiscard]] SearchStep next_step(const SearchSettings& settings, const Outcomes& known);
 
 /// @brief Factors that the search will or may want next, the most certain first.

@@ -50,7 +50,7 @@ TEST(StrengthReduction, BracketsAnyFactorInsideAndOutsideItsRange)
     ASSERT_TRUE(F.complete) << critical << ": " << F.reason;
     EXPECT_LE(*F.stands, critical);
     EXPECT_GE(*F.fails, critical);
-    EXPECT_LE(*F.fails - *F.stands, 0.02 + 1e-12);
+    EXPECT_LE(*F.fails - *F.stands, 0.02);
     EXPECT_EQ(*F.factor(), 0.5 * (*F.stands + *F.fails));
   }
 }
@@ -63,7 +63,7 @@ TEST(StrengthReduction, AGoodGuessNeedsTwoTrialsAndABadOneCostsTimeOnly)
     EXPECT_TRUE(F.complete) << F.reason;
     EXPECT_LE(*F.stands, critical);
     EXPECT_GE(*F.fails, critical);
-    EXPECT_LE(*F.fails - *F.stands, 0.02 + 1e-12);
+    EXPECT_LE(*F.fails - *F.stands, 0.02);
     return F.trials.size();
   };
   EXPECT_EQ(trials(1.605, 1.615), 2u);
@@ -104,8 +104,8 @@ TEST(StrengthReduction, BothEndsOfTheBracketWereTried)
 
 TEST(StrengthReduction, TakesNoMoreTrialsThanBisectionNeeds)
 {
-  const FactorOfSafety F = search(fake_soil(1.7), {.lower = 1, .upper = 3.56, .tolerance = 0.01});
-  EXPECT_EQ(F.trials.size(), 7u); // 128 brackets of 0.02
+  const FactorOfSafety F = search(fake_soil(1.7), {.lower = 1, .upper = 3, .tolerance = 1. / 128});
+  EXPECT_EQ(F.trials.size(), 7u); // 128 brackets
 }
 
 TEST(StrengthReduction, ReachesAFactorFarOutsideItsRangeInAFewTrialsForEachStep)
@@ -127,23 +127,24 @@ TEST(StrengthReduction, KeepsOnlyTheStatesOfTheBracket)
 
 TEST(StrengthReduction, AroundAnUndecidedTrialThereIsABracketAsWideAsAny)
 {
-  // 1.76 is undecided, wherever the search comes from.
-  for (const double guess : {1.2, 1.755, 1.765, 2.4})
+  // 1.75 is undecided, wherever the search comes from.
+  for (const double guess : {1.2, 1.745, 1.755, 2.4})
   {
-    const FactorOfSafety F = search(fake_soil(1.76, 0.004), {.guess = guess});
+    const FactorOfSafety F =
+        search(fake_soil(1.75, 0.004), {.tolerance = 1. / 128, .guess = guess});
     EXPECT_TRUE(F.complete) << guess << ": " << F.reason;
-    EXPECT_NEAR(*F.stands, 1.75, 1e-12);
-    EXPECT_NEAR(*F.fails, 1.77, 1e-12);
+    EXPECT_EQ(*F.stands, 1.75 - 1. / 128);
+    EXPECT_EQ(*F.fails, 1.75 + 1. / 128);
   }
   // Undecided by chance, well inside what stands.
   const RunTrial soil = [inner = fake_soil(1.9)](double factor, Observer& observer)
   {
     Trial trial = inner(factor, observer);
-    if (factor == 1.76)
+    if (factor == 1.75)
       trial.outcome = Outcome::undecided;
     return trial;
   };
-  const FactorOfSafety F = search(soil);
+  const FactorOfSafety F = search(soil, {.tolerance = 1. / 128});
   EXPECT_TRUE(F.complete) << F.reason;
   EXPECT_LE(*F.stands, 1.9);
   EXPECT_GE(*F.fails, 1.9);
@@ -283,7 +284,8 @@ TEST(TeamSearch, TakesFewerRoundsTheMoreRanksThereAre)
               trials_of_rank_0 += rank == 0;
               return fake_soil(1.7)(factor, observer);
             };
-            (void)reduce_strength(soil, {.lower = 1, .upper = 3.56}, silent, team);
+            (void)reduce_strength(soil, {.lower = 1, .upper = 3, .tolerance = 1. / 128}, silent,
+                                  team);
           });
     threads.clear();
     return trials_of_rank_0.load();
@@ -338,10 +340,8 @@ TEST(SearchAhead, TheFirstWantedIsTheNextAndTheOthersFollowFromSuppositions)
   EXPECT_EQ(wanted_next(settings, {}, 7),
             (std::vector<double>{2, 2.5, 1.5, 2.75, 2.25, 1.75, 1.25}));
   // With a guess either side of it comes first: a good one needs no more.
-  const std::vector<double> near = wanted_next({.tolerance = 0.01, .guess = 2.005}, {}, 2);
-  ASSERT_EQ(near.size(), 2u);
-  EXPECT_NEAR(near[0], 2.00, 1e-9);
-  EXPECT_NEAR(near[1], 2.02, 1e-9);
+  EXPECT_EQ(wanted_next({.tolerance = 1. / 128, .guess = 2.005}, {}, 2),
+            (std::vector<double>{2, 2 + 1. / 64}));
   // Nothing is wanted once the bracket is closed.
   FactorOfSafety closed = search(fake_soil(1.7), settings);
   Outcomes known;
