@@ -49,10 +49,10 @@ void Wavefront::run(long passes, const Work& work)
 #pragma omp parallel
   {
     // Strip s takes pass p when s-1, s and s+1 have taken pass p-1; s+1 cannot be farther than one
-    // pass ahead, since it waits for s in turn. All threads go through the same order of work and
-    // take every n-th piece of it, so that the earliest piece left can always go on.
+    // pass ahead, since it waits for s in turn. All threads go through the same order of work, each
+    // with strips of its own that stay in its cache: the earliest piece left can always go on.
     const long threads = omp_get_num_threads(), me = omp_get_thread_num();
-    const long gap = threads > 1 ? 2 : 1; // 2: the pieces of one wave do not wait for each other
+    const long gap = threads > 1 ? 2 : 1; // 2: a wave waits only for earlier ones
     for (long first = 0; first < passes; first += depth_)
     {
       const long levels = std::min(depth_, passes - first);
@@ -60,7 +60,7 @@ void Wavefront::run(long passes, const Work& work)
         for (long level = 0; level < levels; ++level)
         {
           const long strip = wave - gap * level, pass = first + level;
-          if (strip < 0 || strip >= strips_ || (wave + level) % threads != me)
+          if (strip < 0 || strip >= strips_ || strip % threads != me)
             continue;
           for (const long other : {strip - 1, strip, strip + 1})
             wait(other, pass);
