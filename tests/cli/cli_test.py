@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -258,6 +259,32 @@ class Cli(unittest.TestCase):
             self.assertEqual(*fields)
         self.assertEqual(results[0], results[1])
         self.assertEqual(results[0], results[2])
+
+    def mpirun(self, ranks, *arguments, code=0):
+        """As `berm`, in a team. Any user, more ranks than processors."""
+        allow = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        command = ["mpirun", "--oversubscribe", "-n", str(ranks), BERM, *map(str, arguments)]
+        done = subprocess.run(command, cwd=self.dir, text=True, capture_output=True, check=False,
+                              env=os.environ | allow)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout, done.stderr
+
+    @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
+    def test_a_team_gives_the_result_of_one_and_speaks_with_one_voice(self):
+        narrow = ["--set", "sph.spacing_m=3", *NO_FIGURES]
+        self.berm("run", DRY, *narrow, "--out", "alone")
+        for ranks in (2, 3):
+            out, _ = self.mpirun(ranks, "run", DRY, *narrow, "--out", f"team{ranks}")
+            self.assertEqual(out.count("factor of safety"), 1)
+            self.assertEqual(without_times(self.result(f"team{ranks}")),
+                             without_times(self.result("alone")))
+            fields = [(self.dir / d / "results.h5").read_bytes() for d in ("alone", f"team{ranks}")]
+            self.assertEqual(*fields)
+        _, err = self.mpirun(2, "run", DRY, "--set", "sph.spacing_m=-1", code=2)
+        self.assertEqual(err.count("1 mistake"), 1, err)
+        (self.dir / "file").write_text("")
+        _, err = self.mpirun(2, "run", DRY, "--out", "file", code=4)  # one rank alone finds out
+        self.assertIn("cannot be made a directory", err)
 
     def test_quiet_prints_nothing(self):
         self.assertEqual(self.berm("run", DRY, *COARSE, *NO_FIGURES, "--quiet"), ("", ""))
