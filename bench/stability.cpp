@@ -107,7 +107,7 @@ int main(int argc, char** argv)
   const int finest = argc > 1 ? std::atoi(argv[1]) : 40;
   const Formulation formulations[] = {{"psi = 0", false, "total_lagrangian", finest},
                                       {"psi = phi", true, "total_lagrangian", finest},
-                                      {"paper, psi = 0", false, "paper", 10}};
+                                      {"paper", false, "paper", 10}};
   std::map<std::string, CostLaw> laws;
   fmt::print("row,formulation,dx_m,parts,particles,F,low,high,reference,error_percent,cpu_s,MB\n");
   for (const tests::PublishedSlope& row : tests::published_slopes())

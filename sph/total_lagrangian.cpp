@@ -34,7 +34,7 @@ TotalLagrangian::TotalLagrangian(const Discretisation& discretisation,
                             sums_))
 {
   make_blocks(cones);
-  make_images(terms.body_forces);
+  make_images(cones, terms.body_forces);
   if (!terms.body_forces)
     for (Block& block : blocks_)
       block.bx = block.by = Wide{};
@@ -76,7 +76,7 @@ void TotalLagrangian::make_blocks(const std::vector<Cone>& cones)
   }
 }
 
-void TotalLagrangian::make_images(bool body_forces)
+void TotalLagrangian::make_images(const std::vector<Cone>& cones, bool body_forces)
 {
   for (const Ghost& ghost : d_.ghosts) // ordered by source, as the blocks are
   {
@@ -95,6 +95,12 @@ void TotalLagrangian::make_images(bool body_forces)
                        .sign_sxy = ghost.sign_sxy,
                        .sign_Bxy = ghost.sign_Bxy,
                        .lift = body_forces ? ghost.depth_below * d_.density[i] * d_.by[i] : 0});
+    if (!elastic_)
+    {
+      const Cone& cone = cones[static_cast<std::size_t>(d_.soil[i])];
+      images_.back().k = cone.k;
+      images_.back().friction = 3 * cone.alpha;
+    }
     blocks_[b].images_end = images_.size();
   }
 }
@@ -152,7 +158,11 @@ void TotalLagrangian::store_stress(Sums& sums, std::size_t b) const
   {
     const Image& image = images_[k];
     const std::size_t l = image.lane;
-    const double xx = s.xx[l], yy = s.yy[l] + image.lift, xy = image.sign_sxy * s.xy[l];
+    // The shear stress grows with the strength: soil slides on its base at the base's, eq. (5.2).
+    const double xx = s.xx[l], yy = s.yy[l] + image.lift;
+    const double here = image.k - image.friction * s.yy[l], there = image.k - image.friction * yy;
+    const double ratio = here > 0 ? std::clamp(there / here, 0.5, 2.0) : 1;
+    const double xy = image.sign_sxy * ratio * s.xy[l];
     const double B_xx = block.Bxx[l], B_yy = block.Byy[l], B_xy = image.sign_Bxy * block.Bxy[l];
     sums.set_T_of_point(image.point, xx * B_xx + xy * B_xy, xx * B_xy + xy * B_yy,
                         xy * B_xx + yy * B_xy, xy * B_xy + yy * B_yy);

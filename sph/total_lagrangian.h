@@ -73,10 +73,11 @@ private:
     Index point = 0;
     double sign_vx = 1, sign_vy = 1, sign_sxy = 1, sign_Bxy = 1;
     double lift = 0; ///< added to sigma_yy: the geostatic gradient below the base [Pa]
+    double k = 0, friction = 0; ///< k and 3 alpha of the source's cone; 0: elastic
   };
 
   void make_blocks(const std::vector<Cone>& cones);
-  void make_images(bool body_forces);
+  void make_images(const std::vector<Cone>& cones, bool body_forces);
   template <class Sums>
   void update_stress(Sums& sums, std::size_t b); ///< pass A
   template <class Sums>

@@ -10,8 +10,8 @@
 namespace berm::sph
 {
 /// The mirror image of a particle behind a wall. Fixed base: velocity reversed, stress copied plus
-/// the geostatic gradient. Roller at the sides: normal velocity and shear stress reversed.
-/// docs/theory.md section 5.
+/// the geostatic gradient; in strength reduction the shear stress grows with the strength, too.
+/// Roller at the sides: normal velocity and shear stress reversed. docs/theory.md section 5.
 struct Ghost
 {
   Index source = 0;

@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 LOOKS = {
     "psi = 0": ("#0072B2", "o", "-"),
     "psi = phi": ("#D55E00", "s", "--"),
-    "paper, psi = 0": ("#009E73", "^", ":"),
+    "paper": ("#009E73", "^", ":"),
 }
 
 

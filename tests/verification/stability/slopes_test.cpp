@@ -60,6 +60,20 @@ TEST(PublishedSlopes, GriffithsLaneExample1)
   expect_factor(slope(griffiths_lane, 0, soil(10, 20, 20)), 1.355, 0.04); // FE reduction 1.34-1.37
 }
 
+// Its toe stands on the base. Associated flow is where limit equilibrium and collapse agree; 1 % is
+// the bracket of 0.01 and what circles leave out.
+TEST(PublishedSlopes, ASlopeThatSlidesOnItsBaseIsRightOnCoarseParticles)
+{
+  sph::Soil clayey = soil(10, 20, 20);
+  clayey.dilation_angle = clayey.friction_angle;
+  for (const double dx : {1.0, 0.5})
+  {
+    Case c = slope(griffiths_lane, 0, clayey);
+    c.sph.spacing = dx;
+    expect_factor(c, 1.378, 0.01);
+  }
+}
+
 TEST(PublishedSlopes, GriffithsLaneExample5HalfDrawnDown)
 {
   expect_factor(slope(griffiths_lane, 0, soil(10, 20, 20), {{0, 5}, {32, 5}}), 1.35, 0.055);
