@@ -41,15 +41,14 @@ void expect_same_factor(const Case& a, const Case& b)
 }
 } // namespace
 
-// tan(phi) / tan(beta), exact for an infinite slope. 2 %: half a particle of ten in the skin's
-// weight (F-7 has the same bound at half the spacing).
+// tan(phi) / tan(beta), exact for an infinite slope. 2 % for half a particle of ten in the skin's
+// weight (F-7 has the same bound at half the spacing), half a per cent for half the bracket.
 TEST(HardSlope, WithoutCohesionHasTheFactorOfTheInfiniteSlope)
 {
   const double beta = 20 * pi / 180;
   Case c =
       slope({{0, 5}, {20, 5}, {20 + 10 / std::tan(beta), 15}, {70, 15}}, 0, soil(0, 35, 20), 1);
-  c.search.tolerance = 0.004; // well below the bound
-  EXPECT_NEAR(factor(c) / (std::tan(35 * pi / 180) / std::tan(beta)), 1, 0.02);
+  EXPECT_NEAR(factor(c) / (std::tan(35 * pi / 180) / std::tan(beta)), 1, 0.025);
 }
 
 // gamma H / c = 3.7765 +- 0.0015 without cut-off (2.5 % as F-4). Soil that bears no tension in any
