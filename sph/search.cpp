@@ -99,12 +99,7 @@ private:
 
   void bisect(double lower, double upper)
   {
-    const double middle = nearest(0.5 * (lower + upper));
-    if (!attempt(middle))
-      return;
-    // Undecided: a bracket around it, as wide as any.
-    const double below = middle - 0.5 * width(), above = middle + 0.5 * width();
-    if (attempt(below) || (goes_on() && step_.stands >= below && attempt(above)))
+    if (attempt(nearest(0.5 * (lower + upper))))
       narrow_gap();
   }
 
@@ -113,12 +108,9 @@ private:
   double widen(double end, Outwards&& outwards)
   {
     const bool is_lower = !step_.stands;
-    const auto known = [&]
-    { return is_lower ? step_.stands.has_value() : step_.fails.has_value(); };
-    if (const double beyond = end + (is_lower ? -0.5 : 0.5) * width();
-        attempt(end) && attempt(beyond))
+    if (attempt(end))
       narrow_gap();
-    if (!goes_on() || known())
+    if (!goes_on() || (is_lower ? step_.stands.has_value() : step_.fails.has_value()))
       return end;
     const double next = outwards(end);
     if (next == end)
@@ -127,22 +119,27 @@ private:
     return next;
   }
 
-  /// A gap that no trial decides: how wide it is, and no more.
+  /// Once a trial was undecided: the search for what stands and what fails next to it.
   void narrow_gap()
   {
-    const auto far = [&](double from, double to) { return to - from > width(); };
     while (goes_on())
     {
+      std::erase_if(undecided_, [this](double F)
+                    { return F < step_.stands.value_or(F) || F > step_.fails.value_or(F); });
+      if (undecided_.empty()) // by chance, beside the answer
+        return;
       const double lowest = std::min(undecided_.front(), step_.fails.value_or(undecided_.front()));
       const double highest = std::max(undecided_.back(), step_.stands.value_or(undecided_.back()));
       if (!step_.stands && lowest > settings_.min_factor)
         attempt(at_or_below(lowest / 1.2));
       else if (!step_.fails && highest < settings_.max_factor)
         attempt(at_or_above(highest * 1.2));
-      else if (step_.stands && far(*step_.stands, undecided_.front()))
+      else if (step_.stands && undecided_.front() - *step_.stands > width())
         attempt(nearest(0.5 * (*step_.stands + undecided_.front())));
-      else if (step_.fails && far(undecided_.back(), *step_.fails))
+      else if (step_.fails && *step_.fails - undecided_.back() > width())
         attempt(nearest(0.5 * (undecided_.back() + *step_.fails)));
+      else if (step_.stands && step_.fails && *step_.fails - *step_.stands <= 2 * width())
+        step_.complete = true;
       else
         step_.reason = fmt::format("trials from {:.4g} to {:.4g} stayed undecided",
                                    undecided_.front(), undecided_.back());

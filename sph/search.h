@@ -22,7 +22,7 @@ enum class Outcome
 struct SearchSettings
 {
   double lower = 0.5, upper = 3.0;           ///< where to start; widened if the answer lies outside
-  double tolerance = 0.01;                   ///< half the width of the bracket
+  double tolerance = 0.005;                  ///< half the width of the bracket
   double min_factor = 0.05, max_factor = 20; ///< beyond these the search gives up and says so
   /// Where the answer may be: tried first on either side, then ever farther out.
   std::optional<double> guess = std::nullopt;

@@ -45,10 +45,9 @@ struct FactorOfSafety
   std::optional<double> stands; ///< largest factor at which the slope stood
   std::optional<double> fails;  ///< smallest factor at which it failed
   std::vector<Trial>
-      trials; ///< in the order in which they ran; states kept only where `state_of` says
-  bool complete =
-      false; ///< bracket no wider than asked, both ends tried, nothing undecided in between
-  std::string reason; ///< why not complete; empty if it is
+      trials;            ///< in the order in which they ran; states kept only where `state_of` says
+  bool complete = false; ///< bracket no wider than asked, or twice that around an undecided trial
+  std::string reason;    ///< why not complete; empty if it is
 
   /// Middle of the bracket; nothing unless both ends are known.
   [[nodiscard]] std::optional<double> factor() const;

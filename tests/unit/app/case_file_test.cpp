@@ -47,7 +47,7 @@ TEST(CaseFile, FillsDefaultsIn)
   const coupling::Case input = read_text(sound_case).input;
   EXPECT_DOUBLE_EQ(input.search.lower, 0.5);
   EXPECT_DOUBLE_EQ(input.search.upper, 3.0);
-  EXPECT_DOUBLE_EQ(input.search.tolerance, 0.01);
+  EXPECT_DOUBLE_EQ(input.search.tolerance, 0.005);
   EXPECT_EQ(input.sph.spacing, 0);
   EXPECT_EQ(input.sph.packing, "auto");
   EXPECT_EQ(input.sph.cone, "fitted");
