@@ -136,7 +136,14 @@ std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, do
     y.insert(y.end(),
              {arc(middle), ground_beside(m.section, left, 1), ground_beside(m.section, right, -1)});
   }
-  const std::vector<double> p = m.pore_pressure(x, y);
+  std::vector<double> p = m.pore_pressure(x, y);
+  // A pressure that is everywhere stresses nothing; left in, it would enter the forces between
+  // slices, whose inclination Spencer's method supposes.
+  double everywhere = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < n; ++k)
+    everywhere = std::min({everywhere, p[3 * k + 1], p[3 * k + 2]});
+  for (double& p_w : p)
+    p_w -= everywhere;
 
   bool uniform = m.section.zones.empty();
   for (const sph::Soil& soil : m.soils)

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-/// What a factor of safety is uncertain by. docs/theory.md section 6.4.
+/// What a factor of safety is uncertain by. docs/theory.md section 6.1, eq. (6.3).
 namespace berm::coupling
 {
 /// Largest factor at which the slope stood and smallest at which it failed.
