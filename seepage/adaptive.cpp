@@ -7,6 +7,7 @@
 #include "seepage/newton.h"
 #include "seepage/phreatic.h"
 #include "seepage/seepage.h"
+#include "seepage/stream_function.h"
 #include "seepage/transfer.h"
 
 #include <fmt/format.h>
@@ -126,6 +127,58 @@ Start from_coarser(const meshes::TriangleMesh& mesh, const Solution& coarser)
   return start;
 }
 
+/// k_r K of each triangle with the mean of k_r over its sides' middles [m/s], shape (m).
+std::vector<ConductivityTensor> effective(const meshes::TriangleMesh& mesh,
+                                          const std::vector<double>& p,
+                                          const std::vector<double>& weight,
+                                          const Smoothing& smoothing,
+                                          const std::vector<ConductivityTensor>& k_sat)
+{
+  std::vector<ConductivityTensor> result;
+  result.reserve(k_sat.size());
+  for (std::size_t t = 0; t < k_sat.size(); ++t)
+  {
+    double k_r = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto i = static_cast<std::size_t>(mesh.triangles[t][a]),
+                 j = static_cast<std::size_t>(mesh.triangles[t][(a + 1) % 3]);
+      k_r += relative_conductivity((p[i] + p[j]) / 2, (weight[i] + weight[j]) / 2, smoothing.eps[t],
+                                   smoothing.k_min[t]) /
+             3;
+    }
+    result.push_back({k_r * k_sat[t].xx, k_r * k_sat[t].xy, k_r * k_sat[t].yy});
+  }
+  return result;
+}
+
+/// Head is known between nodes that have a given pressure, flow elsewhere.
+BoundaryFlow boundary_flow(const meshes::TriangleMesh& mesh, const std::vector<Boundary>& boundary,
+                           const NodeConditions& conditions, const Field& field)
+{
+  const std::size_t n = mesh.nodes.size(), edges = mesh.boundary.size();
+  BoundaryFlow flow{.head_known = std::vector<std::uint8_t>(edges, 0),
+                    .edge_inflow = std::vector<double>(edges, 0),
+                    .reaction = std::vector<double>(n, 0)};
+  const auto fixed = [&](std::size_t i)
+  { return conditions.kind[i] == NodeKind::head || field.active[i]; };
+  for (std::size_t i = 0; i < n; ++i)
+    if (fixed(i))
+      flow.reaction[i] = field.entering[i];
+  for (std::size_t e = 0; e < edges; ++e)
+  {
+    const Boundary& condition = boundary[static_cast<std::size_t>(mesh.boundary_stretch[e])];
+    const auto i = static_cast<std::size_t>(mesh.boundary[e][0]),
+               j = static_cast<std::size_t>(mesh.boundary[e][1]);
+    if (condition.kind == BoundaryKind::inflow)
+      flow.edge_inflow[e] = condition.value * (mesh.nodes[j] - mesh.nodes[i]).norm();
+    flow.head_known[e] =
+        (condition.kind == BoundaryKind::head || condition.kind == BoundaryKind::seepage_face) &&
+        fixed(i) && fixed(j);
+  }
+  return flow;
+}
+
 /// @param[in] coarser  Where to start, or nothing.
 Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
                     const std::vector<Conductivity>& conductivity,
@@ -152,7 +205,8 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
   for (const double k : k_mean) // docs/theory.md eq. (2.10)
     smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
 
-  FlowOperator flow(mesh, tensors, face_weight(mesh, conditions.face_edges));
+  const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
+  FlowOperator flow(mesh, tensors, weight);
   const auto solve_with = [&](Start start)
   {
     return solve_field(flow, mesh, conditions, smoothing,
@@ -186,11 +240,14 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
   solution.inflow = field.inflow;
   solution.outflow = field.outflow;
   solution.balance = field.inflow > 0 ? std::abs(field.inflow - field.outflow) / field.inflow : 0;
-  std::vector<double> reaction(mesh.nodes.size(), 0);
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    if (conditions.kind[i] == NodeKind::head || field.active[i])
-      reaction[i] = field.entering[i];
-  solution.stretch_inflow = stretch_inflow(mesh, boundary, conditions, reaction);
+  const BoundaryFlow at_boundary = boundary_flow(mesh, boundary, conditions, field);
+  solution.stretch_inflow = stretch_inflow(mesh, boundary, conditions, at_boundary.reaction);
+  solution.stream_function.assign(mesh.nodes.size(), 0);
+  if (field.inflow > 0)
+    solution.stream_function =
+        stream_function(mesh, effective(mesh, field.p, weight, smoothing, tensors), solution.head,
+                        at_boundary, field.inflow);
+  solution.reaction = at_boundary.reaction;
   solution.mesh = std::move(mesh);
   solution.seconds = watch.elapsed();
   solution.history = {field.history};

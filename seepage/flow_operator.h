@@ -33,6 +33,7 @@ public:
   FlowOperator& operator=(const FlowOperator&) = delete;
 
   /// @brief Set eps [m] and k_min [-] of docs/theory.md eq. (2.5) in each triangle, shape (m).
+  /// Until then k_r = 1 everywhere.
   void set_relative_conductivity(std::span<const double> eps, std::span<const double> k_min);
 
   /// @brief Water that has to enter at each node for this pressure head [m2/s] (docs/theory.md eq.

@@ -33,6 +33,11 @@ struct Solution
   std::vector<double> pore_pressure;
   /// Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m).
   std::vector<Vec2> flux;
+  /// Stream function at the nodes [m2/s], shape (n): q = (d psi / dy, -d psi / dx), from its own
+  /// solve; docs/theory.md eq. (2.13). 0 if only rounding flows.
+  std::vector<double> stream_function;
+  /// Water that enters at each node, prescribed inflow left out [m2/s], shape (n).
+  std::vector<double> reaction;
   /// p = 0 inside the soil [m], from left to right, longest first.
   std::vector<Polyline> phreatic_lines;
   /// Where the seepage face ends: its highest wet point, inside its edge [m]; docs/theory.md eq.

@@ -21,6 +21,7 @@ import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
+from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 import run_out
 from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
@@ -50,7 +51,7 @@ def level_beyond_ends(result):
 
 
 def seepage_figure(result, fields):
-    """Head contours, phreatic line and where the water flows."""
+    """Head, phreatic line and flow net."""
     fig, ax = figure_for(result)
     x, y = fields["mesh/nodes"][()].T
     triangles = fields["mesh/triangles"][()]
@@ -59,9 +60,9 @@ def seepage_figure(result, fields):
     ax.fill(*np.array(result["section"]["outline_m"]).T, facecolor="#e6e6e6", lw=0, zorder=0)
     wet = pressure[triangles].max(axis=1) > 0
     levels = head_levels(head[np.unique(triangles[wet])])
-    filled = ax.tricontourf(x, y, triangles[wet], head, levels=levels, cmap="viridis")
-    ax.tricontour(x, y, triangles[wet], head, levels=levels, colors="white", linewidths=0.5)
-    draw_flow(ax, result, fields, wet)
+    net = Triangulation(x, y, triangles[wet])
+    filled = ax.tricontourf(net, head, levels=levels, cmap="Blues", alpha=0.75)
+    draw_flow_net(ax, result, net, head, fields["mesh/stream_function"][()], levels)
     draw_section(ax, result)
     draw_water_line(ax, result)
     exit_point = result["seepage"]["exit_point_m"]
@@ -70,44 +71,57 @@ def seepage_figure(result, fields):
     probes = result["seepage"]["probes"]
     if probes:
         at = np.array([[p["x_m"], p["y_m"]] for p in probes])
-        ax.plot(*at.T, "+", color="black", ms=7, zorder=7, label="probes")
+        ax.plot(*at.T, "+", color=ORANGE, ms=7, mew=1.5, zorder=7, label="probes")
     q = result["seepage"]["discharge_m2_s"]
-    what = f"discharge {q:.4g} m²/s per metre run; arrows: root of the flux"
-    ax.set_title(f"{result['title']}\n{what}")
-    ax.legend(loc="upper right", framealpha=0.9)
+    ax.set_title(f"{result['title']}\ndischarge {q:.4g} m²/s per metre run")
+    ax.legend(loc="upper right", framealpha=0.9, fontsize=8)
     colour_bar(fig, ax, filled, "hydraulic head [m]")
     return fig
 
 
 def head_levels(head):
-    """About sixteen round levels; a few about the value where the water stands still."""
+    """About twenty round levels; a few about the value where the water stands still."""
     low, high = head.min(), head.max()
     if high - low < 1e-6 * max(abs(high), 1):
         return np.linspace(low - 0.5, high + 0.5, 5)
-    return MaxNLocator(nbins=16).tick_values(low, high)
+    return MaxNLocator(nbins=20).tick_values(low, high)
 
 
-def draw_flow(ax, result, fields, wet):
-    """Arrows of equal spacing; their length is the root of the flux, so that slow flow shows."""
-    nodes, triangles = fields["mesh/nodes"][()], fields["mesh/triangles"][()][wet]
-    flux = fields["mesh/flux"][()][wet, :2]
-    centre = nodes[triangles].mean(axis=1)
-    section = result["section"]
-    pitch = (section["x_max_m"] - section["x_min_m"]) / 45
-    # One arrow a cell of the pitch: that of the triangle nearest to its middle.
-    cell = np.floor(centre / pitch).astype(int)
-    off = np.hypot(*(centre / pitch - cell - 0.5).T)
-    nearest = {}
-    for i in np.argsort(-off, kind="stable"):
-        nearest[tuple(cell[i])] = i
-    keep = np.array([i for i in nearest.values() if off[i] < 0.45], dtype=int)
-    speed = np.hypot(*flux[keep].T)
-    if keep.size == 0 or speed.max() == 0:
+STREAM_TUBES = 5
+
+
+def draw_flow_net(ax, result, net, head, psi, levels):
+    """Equipotentials in equal drops, dashed; stream lines between equal tubes, solid, with an arrow."""
+    q = result["seepage"]["discharge_m2_s"]
+    drop = levels[1] - levels[0]
+    ax.tricontour(net, head, levels=levels, colors="black", linewidths=0.6, linestyles=[(0, (4, 3))],
+                  zorder=3)
+    ax.plot([], [], color="black", lw=0.6, ls=(0, (4, 3)), label=f"equipotentials, drop {drop:.4g} m")
+    if q == 0:
         return
-    length = 1.1 * pitch * np.sqrt(np.minimum(speed / np.quantile(speed, 0.97), 1))
-    arrows = flux[keep] / np.where(speed > 0, speed, 1)[:, None] * length[:, None]
-    ax.quiver(*centre[keep].T, *arrows.T, angles="xy", scale_units="xy", scale=1, pivot="mid",
-              width=0.0013, color="black", alpha=0.75, zorder=4)
+    tube = q / STREAM_TUBES
+    lines = ax.tricontour(net, psi, levels=tube * np.arange(1, STREAM_TUBES), colors="black",
+                          linewidths=1.1, linestyles="solid", zorder=4)
+    ax.plot([], [], color="black", lw=1.1, label=f"stream lines, tube {tube:.3g} m²/s")
+    head_at = LinearTriInterpolator(net, head)
+    for level in lines.allsegs:
+        for line in level:
+            add_arrow(ax, line, head_at)
+
+
+def add_arrow(ax, line, head_at):
+    """An arrow head in the middle of a stream line, down the head; none on mere specks."""
+    way = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+    if way[-1] < 0.05 * np.ptp(ax.dataLim.intervalx):
+        return
+    before, middle, after = (np.array([np.interp(t * way[-1], way, x) for x in line.T])
+                             for t in (0.47, 0.5, 0.53))
+    if head_at(*before) < head_at(*after):
+        before, after = after, before
+    along = (after - before) / max(np.hypot(*(after - before)), 1e-300)
+    ax.annotate("", middle + 1e-3 * along, middle, zorder=4,
+                arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 1.1, "shrinkA": 0,
+                            "shrinkB": 0, "mutation_scale": 11})
 
 
 def where_reduced(stability):

@@ -95,6 +95,7 @@ TEST(FieldFiles, HoldWhatTheRunFound)
   const Reader file(written(directory));
   EXPECT_EQ(file.values("/mesh/head"), (std::vector<double>{1, 0.5, 0.5, 1}));
   EXPECT_EQ(file.values("/mesh/triangles"), (std::vector<double>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(file.values("/mesh/stream_function"), (std::vector<double>{0, 0, 5e-7, 5e-7}));
   EXPECT_EQ(file.values("/mesh/flux"), (std::vector<double>{5e-7, 0, 0, 5e-7, 0, 0}));
   EXPECT_EQ(file.values("/particles/position"),
             (std::vector<double>{0.2, 0.5, 0.5, 0.5, 0.8, 0.5}));
@@ -136,7 +137,7 @@ TEST(FieldFiles, XdmfRefersToDataSetsOfTheRightShape)
       EXPECT_EQ((*it)[1], shape) << (*it)[2];
       ++items;
     }
-  EXPECT_EQ(items, 3 * 11 + 6); // settled, standing, failing; and the mesh
+  EXPECT_EQ(items, 3 * 11 + 7); // settled, standing, failing; and the mesh
 }
 
 TEST(FieldFiles, CannotBeWrittenWhereThereIsNoDirectory)

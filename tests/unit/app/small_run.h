@@ -21,6 +21,8 @@ inline coupling::Analysis small_analysis()
   flow.head = {1, 0.5, 0.5, 1};
   flow.pore_pressure = {9810, 4905, -4905, 0};
   flow.flux = {{5e-7, 0}, {5e-7, 0}};
+  flow.stream_function = {0, 0, 5e-7, 5e-7};
+  flow.reaction = {2.5e-7, -2.5e-7, -2.5e-7, 2.5e-7};
   flow.phreatic_lines = {{{0, 1}, {1, 0.5}}};
   flow.exit_point = Vec2{1, 0.5};
   flow.discharge = flow.inflow = flow.outflow = 5e-7;
