@@ -273,7 +273,10 @@ void search_on_coarser(FoundFactor& found, const Scene& scene, std::vector<Body>
     stability.particle_steps += body->particle_steps(steps_of(F));
     const std::optional<Bracket> bracket = closed_bracket(F);
     if (!bracket)
+    {
+      found.coarser.clear(); // each spacing is to be twice the one before
       continue;
+    }
     found.coarser.insert(found.coarser.begin(), {body->particles.spacing, *bracket});
     search.guess = bracket->factor();
   }
