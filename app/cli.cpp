@@ -47,8 +47,8 @@ int run_case(const RunOptions& options, KeyPlaces& places)
     prepare_directory(directory);
   if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
     omp_set_num_threads(threads);
-  else
-    omp_set_num_threads(std::max(1, omp_get_num_procs() / team.size()));
+  else if (team.size() > 1)
+    omp_set_num_threads(std::max(1, omp_get_max_threads() / team.size()));
 
   places.run_began = true;
   catch_stop_signals();

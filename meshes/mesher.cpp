@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <gmsh.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -188,7 +189,8 @@ private:
   std::vector<Edge> edges_;
 };
 
-/// gmsh between its start and its end.
+/// gmsh between its start and its end. It sets the number of OpenMP's threads for the whole
+/// process; at its end that is as it was.
 class Gmsh
 {
 public:
@@ -206,7 +208,14 @@ public:
   }
   Gmsh(const Gmsh&) = delete;
   Gmsh& operator=(const Gmsh&) = delete;
-  ~Gmsh() { gmsh::finalize(); }
+  ~Gmsh()
+  {
+    gmsh::finalize();
+    omp_set_num_threads(threads_before_);
+  }
+
+private:
+  int threads_before_ = omp_get_max_threads();
 };
 
 int tag(std::size_t i)

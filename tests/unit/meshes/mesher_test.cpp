@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <omp.h>
 #include <random>
 #include <set>
 
@@ -342,6 +343,17 @@ TEST(Mesher, PrintsNothing)
   (void)triangulate(section, {.coarse = 3, .near = {}});
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Mesher, LeavesTheNumberOfThreadsAsItWas)
+{
+  const Section section = build_section(trapezoidal_dam());
+  for (const int threads : {1, 3})
+  {
+    omp_set_num_threads(threads);
+    (void)triangulate(section, {.coarse = 3, .near = {}});
+    EXPECT_EQ(omp_get_max_threads(), threads);
+  }
 }
 
 TEST(Mesher, RejectsAnEdgeLengthThatIsNone)
