@@ -2,15 +2,11 @@
 #include "coupling/analysis.h"
 
 #include "core/error.h"
+#include "coupling/body.h"
 #include "coupling/pore_pressure.h"
-#ifdef BERM_WITH_SEEPAGE
-#include "meshes/mesher.h"
-#endif
-#include "sph/discretisation.h"
 #include "sph/fill.h"
 #include "sph/packing_check.h"
 #include "sph/run_out.h"
-#include "sph/seeds.h"
 #include "sph/trial.h"
 #include "sph/updated_lagrangian.h"
 
@@ -95,103 +91,6 @@ std::vector<sph::Soil> mechanical(const std::vector<Soil>& soils)
   return result;
 }
 
-/// The mesh is one of its own, as fine as the particles.
-sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
-{
-  if (settings.packing != "mesh")
-    return sph::fill(section, settings.spacing, settings.packing);
-#ifdef BERM_WITH_SEEPAGE
-  meshes::ElementSize size;
-  size.coarse = sph::mesh_size(settings.spacing);
-  const meshes::TriangleMesh mesh = meshes::triangulate(section, size);
-  return sph::fill_from_seeds(section, sph::mesh_seeds(mesh), settings.spacing, "mesh");
-#else
-  throw InputError({{.key = "sph.packing",
-                     .value = "mesh",
-                     .problem = "this berm was built without its mesher",
-                     .allowed = "auto, columns, lattice, hexagonal",
-                     .hint = "build with BERM_WITH_SEEPAGE, or leave sph.packing out"}});
-#endif
-}
-
-/// What all searches share.
-struct Scene
-{
-  const Case& input;
-  const meshes::Section& section;
-  const std::vector<sph::Soil>& soils;
-  const PorePressure& p_w;
-  Team& team;
-};
-
-/// The soils, and again as held soil: what `strength_index` counts.
-std::vector<sph::Soil> with_held(const std::vector<sph::Soil>& soils)
-{
-  std::vector<sph::Soil> twice = soils;
-  twice.insert(twice.end(), soils.begin(), soils.end());
-  return twice;
-}
-
-/// Particles with the water in their pores.
-struct Body
-{
-  sph::Particles particles;
-  std::vector<double> pore_pressure; ///< [Pa]
-  sph::Discretisation discretisation;
-  std::optional<sph::MovingBody> moving; ///< in its place, in the paper's formulation
-  sph::Settled settled;                  ///< where every trial starts
-
-  /// A view, whichever way the motion is solved.
-  [[nodiscard]] sph::SoilModel model() const
-  {
-    return moving ? sph::SoilModel(*moving) : sph::SoilModel(discretisation);
-  }
-
-  /// From now on, cones_in_region reduces the strength there.
-  void reduce_in(const Region& region, std::size_t soils)
-  {
-    (moving ? moving->particles.soil : discretisation.soil) =
-        strength_index(region, particles, soils);
-  }
-
-  [[nodiscard]] double particle_steps(double steps) const
-  {
-    return steps * static_cast<double>(particles.size());
-  }
-};
-
-/// @throws InputError if the packing would lie.
-Body make_body(const Scene& scene, double spacing)
-{
-  SphSettings settings = scene.input.sph;
-  settings.spacing = spacing;
-  Body body;
-  sph::Particles& particles = body.particles = fill(scene.section, settings);
-  body.pore_pressure = scene.p_w(particles.x, particles.y);
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    const sph::Soil& soil = scene.soils[static_cast<std::size_t>(particles.soil[i])];
-    particles.density[i] = body.pore_pressure[i] > 0 ? soil.saturated_density : soil.density;
-  }
-  const std::vector<sph::Soil> soils = with_held(scene.soils);
-  body.discretisation = sph::discretise(particles, soils, body.pore_pressure, scene.section);
-  sph::require_sound_packing(sph::measure_packing(particles, body.discretisation, scene.section),
-                             particles);
-  if (settings.formulation == "paper")
-    body.moving = sph::moving_body(particles, soils, body.pore_pressure, scene.section,
-                                   sph::paper_settings());
-  return body;
-}
-
-void settle(Body& body, const Scene& scene, Observer& observer)
-{
-  // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
-  std::vector<sph::Cone> cones;
-  if (body.moving)
-    cones = cones_in_region(scene.soils, 1, scene.input.sph.cone);
-  body.settled = sph::settle(body.model(), observer, cones);
-}
-
 sph::FactorOfSafety factor_of_safety(const Body& body, const Scene& scene,
                                      const sph::SearchSettings& search, Observer& observer)
 {
@@ -211,33 +110,6 @@ double steps_of(const sph::FactorOfSafety& F)
   for (const sph::Trial& t : F.trials)
     steps += static_cast<double>(t.steps);
   return steps;
-}
-
-/// @brief The section on particles 2 and 4 times as far apart, settled, finest first.
-/// They tell the search where to look, at an eighth and a 64th of the cost, and how much the factor
-/// still changes with the spacing. Only as many as the section is fine enough for.
-std::vector<Body> coarser_bodies(const Scene& scene, Observer& observer)
-{
-  constexpr std::size_t fewest = 100; // particles: a slope ten high and ten long
-  std::vector<Body> bodies;
-  for (const double ratio : {2, 4})
-    try
-    {
-      Body body = make_body(scene, ratio * scene.input.sph.spacing);
-      if (body.particles.size() < fewest)
-        break;
-      settle(body, scene, observer);
-      bodies.push_back(std::move(body));
-    }
-    catch (const InputError&) // its packing is refused
-    {
-      break;
-    }
-    catch (const NotConverged&) // too few to settle, or stopped
-    {
-      break;
-    }
-  return bodies;
 }
 
 std::optional<Bracket> closed_bracket(const sph::FactorOfSafety& F)

@@ -78,13 +78,13 @@ public:
         try_next(step);
       take_in(ahead_.extract(*step.next).mapped());
       step = next_step(settings_, outcomes_);
+      keep_states(step);
     }
     answer_.stands = step.stands;
     answer_.fails = step.fails;
     answer_.complete = step.complete;
     if (answer_.reason.empty())
       answer_.reason = step.reason;
-    keep_states(step);
     return std::move(answer_);
   }
 
@@ -143,7 +143,6 @@ private:
       answer_.reason = "stopped before the bracket was narrow enough";
     else
       outcomes_[trial.factor] = trial.outcome;
-    keep_states(next_step(settings_, outcomes_));
   }
 
   /// Of the ends of the bracket only: a state is 100 bytes for each particle.
