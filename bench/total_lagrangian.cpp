@@ -2,6 +2,7 @@
 /// Particle-steps per CPU second of the total-Lagrangian solver, and what the memory could deliver:
 /// the tables of docs/performance.md. One thread: OMP_NUM_THREADS=1.
 /// Usage: bench_total_lagrangian [repeats] [largest number of particles] [packing...]
+#include "bench/statistics.h"
 #include "core/stopwatch.h"
 #include "sph/fill.h"
 #include "sph/soil_model.h"
@@ -19,21 +20,8 @@
 namespace
 {
 using namespace berm;
-
-double median(std::vector<double> v)
-{
-  std::sort(v.begin(), v.end());
-  return 0.5 * (v[v.size() / 2] + v[(v.size() - 1) / 2]);
-}
-
-/// "median (least-most)"
-std::string spread(const std::vector<double>& v)
-{
-  const auto [least, most] = std::minmax_element(v.begin(), v.end());
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.1f (%.1f-%.1f)", median(v), *least, *most);
-  return text.data();
-}
+using bench::median;
+using bench::spread;
 
 /// What one core reads, and moves in a = b + s c, of arrays of the given total size [GB/s].
 void bandwidth(const char* where, std::size_t bytes, int repeats)
@@ -68,7 +56,8 @@ void bandwidth(const char* where, std::size_t bytes, int repeats)
       total += sum;
   }
   std::printf("| %s, %.3g MB | %s | %s |%s\n", where, 1e-6 * static_cast<double>(bytes),
-              spread(read).c_str(), spread(triad).c_str(), std::isfinite(total) ? "" : " overflow");
+              spread(read, 1).c_str(), spread(triad, 1).c_str(),
+              std::isfinite(total) ? "" : " overflow");
 }
 
 /// The embankment, dry; at rest under its weight but for the slopes, whose stress is that of level
@@ -126,7 +115,7 @@ void row(const Slope& slope, bool plastic, int repeats)
   const auto yielded = std::count_if(end.plastic_strain.begin(), end.plastic_strain.end(),
                                      [](double e) { return e > 0; });
   std::printf("| %s | %d | %s | %s | %.1f | %.1f | %.0f |\n", slope.particles.packing.c_str(),
-              slope.d.n, plastic ? "2.4" : "elastic", spread(rate).c_str(), median(on_the_wall),
+              slope.d.n, plastic ? "2.4" : "elastic", spread(rate, 1).c_str(), median(on_the_wall),
               static_cast<double>(slope.d.neighbours.index.size()) / n,
               100 * static_cast<double>(yielded) / n);
   std::fflush(stdout);

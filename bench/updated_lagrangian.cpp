@@ -4,6 +4,8 @@
 /// Usage: bench_updated_lagrangian collapse [repeats] [spacing in m]
 ///        bench_updated_lagrangian size [repeats]
 #include "sph/updated_lagrangian.h"
+
+#include "bench/statistics.h"
 #include "core/stopwatch.h"
 #include "coupling/pore_pressure.h"
 #include "seepage/seepage.h"
@@ -23,6 +25,8 @@
 namespace
 {
 using namespace berm;
+using bench::median;
+using bench::spread;
 
 constexpr double width = 0.2, height = 0.1, water_level = 0.06; // of the column [m]
 
@@ -80,21 +84,6 @@ sph::UpdatedLagrangian solver(const sph::MovingBody& body)
 {
   return {body, sph::reduced_cones(std::vector{rods()}, 1, "fitted"),
           sph::unstressed(static_cast<Index>(body.particles.size()))};
-}
-
-double median(std::vector<double> v)
-{
-  std::sort(v.begin(), v.end());
-  return 0.5 * (v[v.size() / 2] + v[(v.size() - 1) / 2]);
-}
-
-/// "median (least - most)"
-std::string spread(const std::vector<double>& v)
-{
-  const auto [least, most] = std::minmax_element(v.begin(), v.end());
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.2f (%.2f-%.2f)", median(v), *least, *most);
-  return text.data();
 }
 
 /// Memory that the process holds now [GB].
@@ -194,8 +183,9 @@ void collapse_table(int repeats, double spacing)
               repeats);
   for (const Row& r : rows)
     std::printf("| %zu | %s | %s | %s | %s | %s | %.1f | %.1f | %ld | %ld |\n", r.particles,
-                on(r.corrected), on(r.repulsion), on(r.wet), spread(r.rate).c_str(),
-                spread(r.slowest).c_str(), median(r.search), median(r.push), r.steps, r.rebuilds);
+                on(r.corrected), on(r.repulsion), on(r.wet), spread(r.rate, 2).c_str(),
+                spread(r.slowest, 2).c_str(), median(r.search), median(r.push), r.steps,
+                r.rebuilds);
 }
 
 void size_table(int repeats)
@@ -210,7 +200,7 @@ void size_table(int repeats)
       for (int k = 0; k < repeats; ++k)
         flow(row, spacing);
       std::printf("| %zu | %s | %s | %s | %.1f | %ld | %ld | %.2f |\n", row.particles,
-                  on(row.corrected), on(row.repulsion), spread(row.rate).c_str(),
+                  on(row.corrected), on(row.repulsion), spread(row.rate, 2).c_str(),
                   median(row.search), row.steps, row.rebuilds, row.memory);
       std::fflush(stdout);
     }
