@@ -102,7 +102,7 @@ inline double narrow_factor(const PublishedSlope& row, double spacing,
   return slope
       .factor_of_safety({.lower = 0.8 * row.reference,
                          .upper = 1.2 * row.reference,
-                         .tolerance = 0.002,
+                         .tolerance = 0.002, // 0.2 % of F and less: 0.5 % is to be seen
                          .guess = guess})
       .factor()
       .value();

@@ -33,6 +33,22 @@ inline meshes::Zone box(Index soil, double x0, double y0, double x1, double y1)
   return {soil, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
+/// Kozeny's dam, y0 = 1: drain on y = 0, x <= 0, base impervious for x > 0; upstream the
+/// equipotential head = 4. Marked: that, then the drain.
+inline meshes::SectionInput kozeny_dam()
+{
+  meshes::SectionInput input;
+  Polyline upstream;
+  for (int k = 0; k <= 60; ++k)
+    upstream.emplace_back((16 - k * k / 3600.) / 2, 4 * k / 60.);
+  const Polyline drain{{-2, 0}, {0, 0}};
+  input.outline = drain;
+  input.outline.insert(input.outline.end(), upstream.begin(), upstream.end());
+  input.outline.insert(input.outline.end(), {{7.5, 4.5}, {-2, 4.5}});
+  input.marked_lines = {upstream, drain};
+  return input;
+}
+
 /// The solution with default settings.
 inline seepage::Solution solved(const meshes::SectionInput& input,
                                 const std::vector<seepage::Conductivity>& conductivity,

@@ -137,15 +137,7 @@ TEST(ZonedDam, OfHorizontalLayersHasItsExactDischarge)
 
 TEST(KozenyDam, HasItsExactDischargeHeadsAndFreeSurface)
 {
-  meshes::SectionInput input;
-  Polyline upstream;
-  for (int k = 0; k <= 60; ++k)
-    upstream.emplace_back((16 - k * k / 3600.) / 2, 4 * k / 60.);
-  const Polyline drain{{-2, 0}, {0, 0}};
-  input.outline = drain;
-  input.outline.insert(input.outline.end(), upstream.begin(), upstream.end());
-  input.outline.insert(input.outline.end(), {{7.5, 4.5}, {-2, 4.5}});
-  input.marked_lines = {upstream, drain};
+  const meshes::SectionInput input = tests::kozeny_dam();
   const seepage::Solution s = solved(
       input, {{1, 1, 0}}, {{seepage::BoundaryKind::head, 4}, {seepage::BoundaryKind::head, 0}});
   EXPECT_NEAR(s.discharge, 1, 2e-3); // the flow converges on the drain's tip like r^(-1/2)

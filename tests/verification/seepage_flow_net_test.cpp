@@ -98,15 +98,7 @@ TEST(StreamFunction, OfAZonedAnisotropicDamRangesOverItsDischargeAndIsTheFluxThr
 TEST(StreamFunction, OfKozenysDamIsTheImaginaryPartOfItsPotential)
 {
   // head + i psi / k = sqrt(2 (x + i y)), y0 = 1; the water runs to the left, psi grows downwards.
-  meshes::SectionInput input;
-  Polyline upstream;
-  for (int k = 0; k <= 60; ++k)
-    upstream.emplace_back((16 - k * k / 3600.) / 2, 4 * k / 60.);
-  const Polyline drain{{-2, 0}, {0, 0}};
-  input.outline = drain;
-  input.outline.insert(input.outline.end(), upstream.begin(), upstream.end());
-  input.outline.insert(input.outline.end(), {{7.5, 4.5}, {-2, 4.5}});
-  input.marked_lines = {upstream, drain};
+  const meshes::SectionInput input = tests::kozeny_dam();
   const Solution s = solved(input, {{1, 1, 0}}, {{BoundaryKind::head, 4}, {BoundaryKind::head, 0}});
   EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
   double worst = 0;

@@ -221,22 +221,33 @@ private:
   int rank_;
 };
 
-/// Runs the search on `ranks` threads. @return Each rank's answer.
-std::vector<FactorOfSafety> team_search(const RunTrial& soil, const SearchSettings& settings,
-                                        int ranks)
+/// Does the work of every rank, each on a thread, and waits for all.
+template <class Work>
+void on_ranks(int ranks, const Work& work)
 {
   ThreadTeam::Shared shared(ranks);
-  std::vector<FactorOfSafety> answers(static_cast<std::size_t>(ranks));
   std::vector<std::jthread> threads;
   for (int rank = 0; rank < ranks; ++rank)
     threads.emplace_back(
         [&, rank]
         {
           ThreadTeam team(shared, rank);
-          Observer silent;
-          answers[static_cast<std::size_t>(rank)] = reduce_strength(soil, settings, silent, team);
+          work(team);
         });
-  threads.clear();
+}
+
+/// Runs the search on `ranks` threads. @return Each rank's answer.
+std::vector<FactorOfSafety> team_search(const RunTrial& soil, const SearchSettings& settings,
+                                        int ranks)
+{
+  std::vector<FactorOfSafety> answers(static_cast<std::size_t>(ranks));
+  on_ranks(ranks,
+           [&](Team& team)
+           {
+             Observer silent;
+             answers[static_cast<std::size_t>(team.rank())] =
+                 reduce_strength(soil, settings, silent, team);
+           });
   return answers;
 }
 } // namespace
@@ -271,23 +282,18 @@ TEST(TeamSearch, TakesFewerRoundsTheMoreRanksThereAre)
   const auto rounds = [](int ranks)
   {
     std::atomic<int> trials_of_rank_0 = 0;
-    ThreadTeam::Shared shared(ranks);
-    std::vector<std::jthread> threads;
-    for (int rank = 0; rank < ranks; ++rank)
-      threads.emplace_back(
-          [&, rank]
-          {
-            ThreadTeam team(shared, rank);
-            Observer silent;
-            const RunTrial soil = [&, rank](double factor, Observer& observer)
-            {
-              trials_of_rank_0 += rank == 0;
-              return fake_soil(1.7)(factor, observer);
-            };
-            (void)reduce_strength(soil, {.lower = 1, .upper = 3, .tolerance = 1. / 128}, silent,
-                                  team);
-          });
-    threads.clear();
+    on_ranks(ranks,
+             [&](Team& team)
+             {
+               Observer silent;
+               const RunTrial soil = [&](double factor, Observer& observer)
+               {
+                 trials_of_rank_0 += team.rank() == 0;
+                 return fake_soil(1.7)(factor, observer);
+               };
+               (void)reduce_strength(soil, {.lower = 1, .upper = 3, .tolerance = 1. / 128}, silent,
+                                     team);
+             });
     return trials_of_rank_0.load();
   };
   EXPECT_EQ(rounds(1), 7); // 128 brackets
@@ -303,25 +309,20 @@ TEST(TeamSearch, AnErrorInATrialIsThrownOnEveryRankOnceTheTrialIsWanted)
       throw NumericalError("stress of particle 7 is not finite");
     return fake_soil(1.7)(factor, observer);
   };
-  ThreadTeam::Shared shared(2);
   std::atomic<int> thrown = 0;
-  std::vector<std::jthread> threads;
-  for (int rank = 0; rank < 2; ++rank)
-    threads.emplace_back(
-        [&, rank]
-        {
-          ThreadTeam team(shared, rank);
-          Observer silent;
-          try
-          {
-            (void)reduce_strength(soil, {.lower = 1, .upper = 3}, silent, team);
-          }
-          catch (const NumericalError&)
-          {
-            ++thrown;
-          }
-        });
-  threads.clear();
+  on_ranks(2,
+           [&](Team& team)
+           {
+             Observer silent;
+             try
+             {
+               (void)reduce_strength(soil, {.lower = 1, .upper = 3}, silent, team);
+             }
+             catch (const NumericalError&)
+             {
+               ++thrown;
+             }
+           });
   EXPECT_EQ(thrown, 2); // the first middle is 2
   // One that no rank would have wanted alone is no error: 1.25 is only tried ahead.
   const RunTrial bad_below = [](double factor, Observer& observer)
