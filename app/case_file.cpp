@@ -244,13 +244,11 @@ private:
   {
     const auto text = [this](const char* path) { return *values_.get<std::string>(path); };
     case_.seepage.element_size = number("seepage.element_size_m", 0);
-    case_.seepage.refined_size = number("seepage.refined_size_m", 0);
     case_.seepage.adaptive = values_.get<bool>("seepage.adaptive").value_or(true);
-    if (case_.seepage.element_size > 0 && case_.seepage.refined_size > case_.seepage.element_size)
-      add({.key = "seepage.refined_size_m",
-           .value = fmt::format("{}", case_.seepage.refined_size),
-           .allowed =
-               fmt::format("refined_size_m <= element_size_m = {}", case_.seepage.element_size)});
+    case_.seepage.tolerance = number("seepage.tolerance", case_.seepage.tolerance);
+    case_.seepage.phreatic_tolerance = number("seepage.phreatic_tolerance_m", 0);
+    if (const auto most = values_.get<std::int64_t>("seepage.max_unknowns"))
+      case_.seepage.most_unknowns = static_cast<Index>(*most);
     case_.sph.spacing = number("sph.spacing_m", 0);
     if (values_.has("sph.packing"))
       case_.sph.packing = text("sph.packing");

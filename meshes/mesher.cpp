@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "meshes/planar.h"
+#include "meshes/refine.h"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -322,51 +323,6 @@ std::string finish(const Section& section, TriangleMesh& mesh)
   return "";
 }
 
-/// Cut every triangle into four equal ones of the same shape, every boundary edge into two.
-TriangleMesh halved(TriangleMesh mesh)
-{
-  // The edges of all triangles, each once, in order: the rank of an edge numbers its midpoint.
-  std::vector<std::array<Index, 2>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  const auto first = static_cast<Index>(mesh.nodes.size());
-  const auto middle = [&edges, first](Index i, Index j)
-  {
-    const std::array<Index, 2> edge = {std::min(i, j), std::max(i, j)};
-    return first +
-           static_cast<Index>(std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
-  };
-
-  TriangleMesh fine;
-  fine.nodes = std::move(mesh.nodes);
-  fine.nodes.reserve(fine.nodes.size() + edges.size());
-  for (const auto& [i, j] : edges)
-    fine.nodes.emplace_back(0.5 * (node(fine, i) + node(fine, j)));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const auto [a, b, c] = mesh.triangles[t];
-    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const std::array<Index, 3>& part : {std::array{a, ab, ca}, std::array{ab, b, bc},
-                                             std::array{ca, bc, c}, std::array{ab, bc, ca}})
-    {
-      fine.triangles.push_back(part);
-      fine.triangle_soil.push_back(mesh.triangle_soil[t]);
-    }
-  }
-  for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
-  {
-    const auto [a, b] = mesh.boundary[e];
-    fine.boundary.push_back({a, middle(a, b)});
-    fine.boundary.push_back({middle(a, b), b});
-    fine.boundary_stretch.insert(fine.boundary_stretch.end(), 2, mesh.boundary_stretch[e]);
-  }
-  return fine;
-}
-
 /// Mesh with the algorithm that works, edges `factor` times as long as wanted.
 TriangleMesh mesh_at(double factor, const Section& section, const PlanarGraph& graph,
                      const SizeField& field)
@@ -410,7 +366,7 @@ TriangleMesh triangulate(const Section& section, const ElementSize& size)
   if (halvings < 2)
     mesh = mesh_at(halvings == 1 ? 2 : 1, section, graph, field);
   for (int k = 0; k < halvings; ++k)
-    mesh = halved(std::move(mesh));
+    mesh = refined(mesh, std::vector<std::uint8_t>(mesh.triangles.size(), 1)).mesh;
   return mesh;
 }
 } // namespace berm::meshes

@@ -32,13 +32,14 @@ struct Boundary
 
 struct Settings
 {
-  /// Edge length away from the free surface [m]. 0: a 20th of the section's height or a 12th of the
-  /// drop of the water, whichever is less, but not so small that the coarse mesh exceeds 10 000
-  /// triangles.
+  /// Edge length of the first mesh [m]. 0: a 20th of the section's smaller extent or a 12th of the
+  /// drop of the water, whichever is less, but not so small that it exceeds 10 000 triangles.
   double element_size = 0;
-  /// Edge length along the free surface when adaptive [m]. 0: a twelfth of element_size.
-  double refined_size = 0;
-  bool adaptive = true; ///< solve coarse, refine along the free surface, solve again
+  bool adaptive = true;    ///< refine until the tolerances are met; else one mesh
+  double tolerance = 5e-4; ///< of the discharge, relative [-]
+  double phreatic_tolerance =
+      0; ///< of the phreatic line [m]; 0: a thousandth of the water's height
+  Index most_unknowns = 200'000; ///< a mesh with as many nodes is not refined
 };
 
 /// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage
@@ -47,11 +48,12 @@ struct Settings
 [[nodiscard]] std::vector<Boundary> boundary_conditions(const meshes::Section& section,
                                                         const std::vector<Boundary>& marked);
 
-/// @brief Solve steady unconfined Darcy flow on the section: mesh, solve, refine, solve.
-/// Saturated flow with a sharp free surface; docs/theory.md section 2. When adaptive, the second
-/// mesh is refined along the free surface and at singular corners, and a third follows if the free
-/// surface moved out of the refined band. A boundary of kind head acts as a potential seepage face
-/// above its level. MPI and PETSc start with the first solve and end with the process. Serial; the
+/// @brief Solve steady unconfined Darcy flow on the section.
+/// Saturated flow with a sharp free surface; docs/theory.md section 2. When adaptive, the triangles
+/// that the error comes from are cut, and the solve is repeated from the solution before, until the
+/// estimated errors are within the tolerances; if they are not with the most unknowns allowed, the
+/// observer is warned and the solution says so. A boundary of kind head acts as a potential seepage
+/// face above its level. MPI and PETSc start with the first solve and end with the process; the
 /// same input gives the same bits.
 /// @param[in] conductivity  One entry for each soil index that the section uses.
 /// @param[in] boundary      One entry for each stretch of the section.

@@ -23,6 +23,17 @@ struct SolveHistory
   double mesh_seconds = 0; ///< wall, mesh generation [s]
 };
 
+/// How far off the numbers are thought to be: by how much they changed from the last mesh but one
+/// to the last, docs/theory.md eq. (2.18). Nothing where there was one mesh only.
+struct ErrorEstimate
+{
+  std::optional<double> discharge;     ///< [m2/s]
+  std::optional<double> phreatic_line; ///< largest distance [m]
+  std::optional<double> exit_point;    ///< [m]
+  std::vector<double> head;            ///< at the nodes [m], shape (n) or empty
+  bool within_tolerance = false;       ///< of discharge and phreatic line
+};
+
 /// Steady unconfined flow. Plain arrays; nothing of dolfinx or PETSc.
 struct Solution
 {
@@ -48,6 +59,7 @@ struct Solution
   double balance = 0;             ///< |inflow - outflow| / inflow [-]
   /// Water that enters through each of the section's stretches [m2/s], > 0 into the soil.
   std::vector<double> stretch_inflow;
+  ErrorEstimate error;
   std::vector<SolveHistory> history; ///< one entry a mesh, coarse to fine
   Seconds seconds;
 };

@@ -87,10 +87,10 @@ TEST(StreamFunction, OfAZonedAnisotropicDamRangesOverItsDischargeAndIsTheFluxThr
   input.zones = {box(1, 4, 0, 6, 11)};
   const meshes::Section section = meshes::build_section(input);
   Observer observer;
-  // Edges of 0.2 m and 0.05 m: by default the flux of the head is 2 % off at x = 8.7, psi 0.4 %.
+  // Finer than by default: the flux of the head is first order, psi better.
   const Solution s = seepage::solve(section, {{1e-5, 2.5e-6, 0.3}, {1e-6, 1e-6, 0}},
                                     seepage::boundary_conditions(section, {}),
-                                    {.element_size = 0.2, .refined_size = 0.05}, observer);
+                                    {.element_size = 0.2, .tolerance = 2e-4}, observer);
   EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
   EXPECT_LT(largest_cut_error(s, {2.3, 5.1, 8.7}), 5e-3);
 }

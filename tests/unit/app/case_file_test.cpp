@@ -136,7 +136,6 @@ TEST(CaseFile, ChecksRulesThatConcernSeveralKeys)
   expect({"water.pore_pressure=hydrostatic"}, "water.pore_pressure");
   expect({"water.pore_pressure=hydrostatic", "water.free_surface_m=[[0,1],[0,2]]"},
          "water.free_surface_m");
-  expect({"seepage.element_size_m=1", "seepage.refined_size_m=2"}, "seepage.refined_size_m");
   expect({"stability.enabled=false"}, "stability.enabled");
   expect({"sph.spacing_m=0.001"}, "sph.spacing_m");
   expect({"sph.spacing_m=4"}, "sph.spacing_m");

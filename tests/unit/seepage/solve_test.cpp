@@ -23,7 +23,7 @@ meshes::Section dam()
 }
 
 /// Coarse: these tests ask what solve does, not how accurate it is.
-constexpr Settings quick{.element_size = 0.5, .refined_size = 0.15, .adaptive = true};
+constexpr Settings quick{.element_size = 0.5, .tolerance = 5e-3};
 
 TEST(Solve, TellsTheObserverAboutEachMesh)
 {
@@ -44,19 +44,44 @@ TEST(Solve, TellsTheObserverAboutEachMesh)
   EXPECT_EQ(observer.fraction, 1);
 }
 
-TEST(Solve, RefinesAlongTheFreeSurfaceUnlessToldNotTo)
+TEST(Solve, RefinesUntilTheToleranceIsMetUnlessToldNotTo)
 {
   const meshes::Section section = dam();
   Observer observer;
-  const Solution coarse =
-      solve(section, {{1, 1, 0}}, boundary_conditions(section, {}),
-            {.element_size = 0.5, .refined_size = 0, .adaptive = false}, observer);
+  const auto solve_with = [&](const Settings& settings) {
+    return solve(section, {{1, 1, 0}}, boundary_conditions(section, {}), settings, observer);
+  };
+  const Solution coarse = solve_with({.element_size = 0.5, .adaptive = false});
   EXPECT_EQ(coarse.history.size(), 1);
-  const Solution fine =
+  EXPECT_FALSE(coarse.error.discharge); // one mesh does not tell
+  EXPECT_TRUE(coarse.error.head.empty());
+  for (const double tolerance : {1e-2, 1e-3})
+  {
+    const Solution s =
+        solve_with({.element_size = 0.5, .tolerance = tolerance, .phreatic_tolerance = 0.1});
+    EXPECT_GE(s.history.size(), 2);
+    EXPECT_TRUE(s.error.within_tolerance);
+    EXPECT_LE(s.error.discharge.value(), tolerance * s.discharge);
+    EXPECT_LE(s.error.phreatic_line.value(), 0.1);
+    EXPECT_EQ(s.error.head.size(), s.head.size());
+    EXPECT_NEAR(s.discharge, 9 / 8., tolerance * 9 / 8.); // Charny: k H^2 / (2 L)
+  }
+}
+
+TEST(Solve, SaysThatTheToleranceIsNotMetWhereTheMeshMayNotGrow)
+{
+  struct Warned : Observer
+  {
+    int warnings = 0;
+    void warn(std::string_view) override { ++warnings; }
+  } observer;
+  const meshes::Section section = dam();
+  const Solution s =
       solve(section, {{1, 1, 0}}, boundary_conditions(section, {}),
-            {.element_size = 0.5, .refined_size = 0.1, .adaptive = true}, observer);
-  EXPECT_GE(fine.history.size(), 2);
-  EXPECT_GT(fine.mesh.nodes.size(), 3 * coarse.mesh.nodes.size());
+            {.element_size = 0.5, .tolerance = 1e-6, .most_unknowns = 300}, observer);
+  EXPECT_FALSE(s.error.within_tolerance);
+  EXPECT_EQ(observer.warnings, 1);
+  EXPECT_GT(s.error.discharge.value(), 1e-6 * s.discharge);
 }
 
 TEST(Solve, ArraysBelongToTheMesh)

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seepage/first_mesh.h"
+
+#include "meshes/planar.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace berm::seepage
+{
+namespace
+{
+// The height over so many, the drop of the water over so many, but the area not in more squares
+// than this.
+constexpr double elements_over_height = 20, elements_over_drop = 12, largest_default_mesh = 4000;
+constexpr int samples = 60; ///< of the soils, along each axis
+
+/// Index of the soil that covers the largest part of the section, as far as samples tell.
+std::size_t most_widespread_soil(const meshes::Section& section, std::size_t soils)
+{
+  std::vector<int> count(soils, 0);
+  const Vec2 low(section.x_min, section.y_min);
+  const Vec2 cell(Vec2(section.x_max, section.y_max) - low);
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j)
+    {
+      const Vec2 x = low + cell.cwiseProduct(Vec2(i + 0.5, j + 0.5)) / samples;
+      if (const auto soil = static_cast<std::size_t>(meshes::soil_at(section, x));
+          soil < soils && meshes::polygon_contains(section.outline, x))
+        ++count[soil];
+    }
+  return static_cast<std::size_t>(std::ranges::max_element(count) - count.begin());
+}
+
+void map(Polyline& line, const Eigen::Matrix2d& m)
+{
+  for (Vec2& x : line)
+    x = m * x;
+}
+} // namespace
+
+Stretching::Stretching(const meshes::Section& section,
+                       const std::vector<Conductivity>& conductivity)
+{
+  if (std::ranges::all_of(conductivity, [](const Conductivity& k) { return k.kx == k.ky; }))
+    return;
+  const Conductivity& k = conductivity[most_widespread_soil(section, conductivity.size())];
+  const double ratio = k.ky / k.kx;
+  if (ratio == 1 || !(ratio > 0) ||
+      !std::isfinite(ratio)) // the solve names a conductivity that is none
+    return;
+  none_ = false;
+  const double s = std::pow(ratio, 0.25);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(k.angle).toRotationMatrix();
+  m_ = turn * Vec2(s, 1 / s).asDiagonal() * turn.transpose();
+  inverse_ = turn * Vec2(1 / s, s).asDiagonal() * turn.transpose();
+}
+
+meshes::Section Stretching::stretched(meshes::Section section) const
+{
+  map(section.outline, m_);
+  for (meshes::Zone& zone : section.zones)
+    map(zone.polygon, m_);
+  map(section.ground, m_);
+  map(section.base, m_);
+  const auto [x_min, x_max] =
+      std::ranges::minmax(section.outline, {}, [](const Vec2& p) { return p.x(); });
+  const auto [y_min, y_max] =
+      std::ranges::minmax(section.outline, {}, [](const Vec2& p) { return p.y(); });
+  section.x_min = x_min.x();
+  section.x_max = x_max.x();
+  section.y_min = y_min.y();
+  section.y_max = y_max.y();
+  return section;
+}
+
+meshes::TriangleMesh Stretching::stretched(meshes::TriangleMesh mesh) const
+{
+  map(mesh.nodes, m_);
+  return mesh;
+}
+
+meshes::TriangleMesh Stretching::unstretched(meshes::TriangleMesh mesh) const
+{
+  map(mesh.nodes, inverse_);
+  return mesh;
+}
+
+/// The outline with a vertex wherever it crosses the head level of its own stretch.
+meshes::Section with_head_levels(const meshes::Section& section,
+                                 const std::vector<Boundary>& boundary)
+{
+  meshes::Section result = section;
+  result.outline.clear();
+  result.edge_stretch.clear();
+  const double tolerance =
+      1e-9 * std::max(section.x_max - section.x_min, section.y_max - section.y_min);
+  for (std::size_t k = 0; k < section.outline.size(); ++k)
+  {
+    const Vec2 &a = section.outline[k],
+               &b = section.outline[meshes::next(k, section.outline.size())];
+    const Index stretch = section.edge_stretch[k];
+    const Boundary& condition = boundary[static_cast<std::size_t>(stretch)];
+    result.outline.push_back(a);
+    result.edge_stretch.push_back(stretch);
+    const double level = condition.value;
+    if (condition.kind == BoundaryKind::head && std::min(a.y(), b.y()) < level - tolerance &&
+        std::max(a.y(), b.y()) > level + tolerance)
+    {
+      result.outline.push_back(a + (level - a.y()) / (b.y() - a.y()) * (b - a));
+      result.outline.back().y() = level;
+      result.edge_stretch.push_back(stretch);
+    }
+  }
+  return result;
+}
+
+/// Edge length such that the section's height and the drop of the water have enough elements.
+double default_element_size(const meshes::Section& section, const std::vector<Boundary>& boundary)
+{
+  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+  for (std::size_t k = 0; k < section.outline.size(); ++k)
+  {
+    const Boundary& condition = boundary[static_cast<std::size_t>(section.edge_stretch[k])];
+    if (condition.kind == BoundaryKind::head)
+    {
+      highest = std::max(highest, condition.value);
+      lowest = std::min(lowest, condition.value);
+    }
+    if (condition.kind == BoundaryKind::seepage_face)
+      lowest = std::min({lowest, section.outline[k].y(),
+                         section.outline[meshes::next(k, section.outline.size())].y()});
+  }
+  const double by_height = (section.y_max - section.y_min) / elements_over_height;
+  const double by_drop = highest > lowest ? (highest - lowest) / elements_over_drop : by_height;
+  const double by_area = std::sqrt(meshes::polygon_area(section.outline) / largest_default_mesh);
+  return std::max(std::min(by_height, by_drop), by_area);
+}
+
+} // namespace berm::seepage
