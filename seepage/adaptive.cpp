@@ -4,9 +4,9 @@
 #include "meshes/planar.h"
 #include "seepage/boundary.h"
 #include "seepage/flow_operator.h"
-#include "seepage/newton.h"
 #include "seepage/phreatic.h"
 #include "seepage/seepage.h"
+#include "seepage/strategies.h"
 #include "seepage/stream_function.h"
 #include "seepage/transfer.h"
 
@@ -26,11 +26,10 @@ namespace
 // Numbers of the method: docs/theory.md section 2
 //------------------------------------------------------------------------------------------------
 
-constexpr double smoothing_share = 0.5;  ///< eps over the element size [-]
-constexpr double first_smoothing = 0.25; ///< eps at the start over the height of the water [-]
+constexpr double smoothing_share = 0.5; ///< eps over the element size [-]
 // Far above the free surface a soil conducts at most this share of its own conductivity, and at
 // most that share of the least conductive soil's: a dry drain must not pass what a wet core does.
-constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-9;
+constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-11;
 
 // Default element size: the height over so many, the drop of the water over so many, but the area
 // not in more squares than this.
@@ -108,23 +107,22 @@ void check_finite(const meshes::TriangleMesh& mesh, const std::vector<double>& p
                                        mesh.nodes[i].x(), mesh.nodes[i].y(), p[i]));
 }
 
-/// Hydrostatic with the highest head everywhere: the seepage face then shrinks to its extent.
-Start full_of_water(const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
-                    double height)
+CoarserField from_coarser(const meshes::TriangleMesh& mesh, const Solution& coarser)
 {
-  Start start{.p = {}, .smoothing = first_smoothing * height};
-  for (const Vec2& x : mesh.nodes)
-    start.p.push_back(conditions.highest_head - x.y());
-  return start;
-}
-
-Start from_coarser(const meshes::TriangleMesh& mesh, const Solution& coarser)
-{
-  Start start{.p = transfer(coarser.mesh, coarser.head, mesh.nodes),
-              .smoothing = smoothing_share * std::ranges::max(element_sizes(coarser.mesh))};
+  std::vector<double> eps(coarser.mesh.nodes.size(), 0);
+  const std::vector<double> size = element_sizes(coarser.mesh);
+  for (std::size_t t = 0; t < size.size(); ++t)
+    for (const Index node : coarser.mesh.triangles[t])
+    {
+      const auto i = static_cast<std::size_t>(node);
+      eps[i] = std::max(eps[i], smoothing_share * size[t]);
+    }
+  CoarserField field{.p = transfer(coarser.mesh, coarser.head, mesh.nodes),
+                     .eps = transfer(coarser.mesh, eps, mesh.nodes),
+                     .largest_eps = std::ranges::max(eps)};
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    start.p[i] -= mesh.nodes[i].y();
-  return start;
+    field.p[i] -= mesh.nodes[i].y();
+  return field;
 }
 
 /// k_r K of each triangle with the mean of k_r over its sides' middles [m/s], shape (m).
@@ -207,24 +205,9 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
 
   const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
   FlowOperator flow(mesh, tensors, weight);
-  const auto solve_with = [&](Start start)
-  {
-    return solve_field(flow, mesh, conditions, smoothing,
-                       {.height = height, .conductivity = k_mean}, std::move(start), observer);
-  };
-  std::optional<Field> warm;
-  if (coarser)
-    try
-    {
-      warm = solve_with(from_coarser(mesh, *coarser));
-    }
-    catch (const NotConverged&)
-    {
-      if (observer.stop_requested())
-        throw;
-      observer.note("the coarser mesh's solution was no good start; starting anew");
-    }
-  const Field field = warm ? std::move(*warm) : solve_with(full_of_water(mesh, conditions, height));
+  const Field field = solve_by_strategies(
+      flow, mesh, conditions, smoothing, {.height = height, .conductivity = k_mean},
+      coarser ? std::optional(from_coarser(mesh, *coarser)) : std::nullopt, observer);
   check_finite(mesh, field.p);
 
   Solution solution;
