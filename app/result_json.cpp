@@ -79,6 +79,7 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
         {{"name", analysis.section.stretches[i].name}, {"inflow_m2_s", s.stretch_inflow[i]}});
   for (const seepage::SolveHistory& h : s.history)
     meshes.push_back({{"unknowns", h.unknowns},
+                      {"strategy", h.strategy},
                       {"newton_steps", h.newton_steps},
                       {"active_set_changes", h.active_set_changes},
                       {"residual", h.residual},

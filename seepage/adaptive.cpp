@@ -59,23 +59,27 @@ double indicated_error(const MeshSolution& solution)
   return dissipated > 0 ? least_error_share * sum / dissipated : 0;
 }
 
-/// How far the last mesh's solution is from that of the mesh before; nothing before a second mesh.
-ErrorEstimate estimate(const MeshSolution& now, const MeshSolution* before,
+/// Of one mesh: if nothing flows the head is linear, hence exact on any; else it does not tell.
+ErrorEstimate first_estimate(const MeshSolution& now)
+{
+  if (now.field.inflow > 0)
+    return {};
+  return {.discharge = 0,
+          .phreatic_line = 0,
+          .exit_point = {},
+          .head = std::vector<double>(now.field.p.size(), 0)};
+}
+
+/// How far a solution is from that of the mesh before.
+ErrorEstimate estimate(const MeshSolution& now, const MeshSolution& before,
                        const std::vector<double>& p_before)
 {
   ErrorEstimate error;
-  if (now.field.inflow == 0) // hydrostatic: linear, hence exact on any mesh
-    return {.discharge = 0,
-            .phreatic_line = 0,
-            .exit_point = {},
-            .head = std::vector<double>(now.field.p.size(), 0)};
-  if (!before)
-    return error;
-  error.discharge = std::max(std::abs(now.field.inflow - before->field.inflow),
+  error.discharge = std::max(std::abs(now.field.inflow - before.field.inflow),
                              indicated_error(now) * now.field.inflow);
-  error.phreatic_line = distance_between(now.phreatic_lines, before->phreatic_lines);
-  if (now.exit_point && before->exit_point)
-    error.exit_point = (*now.exit_point - *before->exit_point).norm();
+  error.phreatic_line = distance_between(now.phreatic_lines, before.phreatic_lines);
+  if (now.exit_point && before.exit_point)
+    error.exit_point = (*now.exit_point - *before.exit_point).norm();
   error.head.reserve(p_before.size());
   for (std::size_t i = 0; i < p_before.size(); ++i)
     error.head.push_back(std::abs(now.field.p[i] - p_before[i]));
@@ -133,14 +137,13 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
   // Step 2: solve, and cut the triangles that the error comes from, until it is small enough.
   std::vector<SolveHistory> history;
   std::optional<MeshSolution> before;
-  std::optional<Start> start;
+  std::optional<CoarserField> coarser;
   for (;;)
   {
-    const std::vector<double> p_before = start ? start->p : std::vector<double>{};
-    MeshSolution now = solve_one_mesh(std::move(mesh), problem, start, observer);
+    MeshSolution now = solve_one_mesh(std::move(mesh), problem, coarser, observer);
     now.field.history.mesh_seconds = mesh_seconds;
     history.push_back(now.field.history);
-    ErrorEstimate error = estimate(now, before ? &*before : nullptr, p_before);
+    ErrorEstimate error = before ? estimate(now, *before, coarser->p) : first_estimate(now);
     report(history.back(), error, history.size(), observer);
 
     const double phreatic_tolerance = settings.phreatic_tolerance > 0
@@ -163,11 +166,12 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
       return solution;
     }
     mesh_watch = {};
-    NextMesh next = next_mesh(stretching.stretched(now.mesh), now.indicator, now.field.p,
+    NextMesh next = next_mesh(stretching.stretched(now.mesh), now.indicator,
+                              {.p = now.field.p, .eps = now.eps, .largest_eps = now.surface_eps},
                               static_cast<std::size_t>(settings.most_unknowns));
     mesh = stretching.unstretched(std::move(next.mesh));
     mesh_seconds = mesh_watch.elapsed().wall;
-    start = Start{std::move(next.p), now.surface_smoothing};
+    coarser = std::move(next.coarser);
     before = std::move(now);
   }
 }

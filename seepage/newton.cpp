@@ -21,21 +21,32 @@ constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
 // those of the least. With this residual, and steps that move the pressure head by no more than
 // this share of the height anywhere, an iterate is converged all the same.
 constexpr double rounded_tolerance = 1e-6, rounded_move = 1e-9;
-constexpr double lost_outflow = 1e-12; ///< over q: less through a node is rounding [-]
+// Nor can a residual get far below the rounding of the sums in F: that is as good as it gets, if
+// the discharge is still known to this.
+constexpr double largest_rounding = 1e-4; ///< of F over q [-]
+constexpr double lost_outflow = 1e-12;    ///< over q: less through a node is rounding [-]
 
 // Backtracking, to 2^-6 of a step, only stops one that makes the residual ten times larger: with
-// the steps of eq. (2.9) the way to the solution often leads over a larger one. Near the end it
-// allows no growth, for k_r has a kink that iterates may cycle about.
+// the steps of eq. (2.9) the way to the solution often leads over a larger one. Near the end, and
+// after so many steps that did not halve the residual, it allows no growth: k_r has a kink that
+// iterates may cycle about.
 constexpr int smallest_step_halvings = 6;
 constexpr double growth_allowed = 10, strict_below = 1e-5;
+constexpr int strict_after = 4;
 constexpr double largest_drying = 2; ///< of a node in one step, over eps
 
 // A stage has failed that is not done by so many steps, or that has not halved its residual (or got
 // it down to half of `nearly_there`) by so many, or whose residual grows by the factor
-// `divergence`.
+// `divergence`: beside a core of 1e-6 a drain's residual may be 1e4 of what flows, and still go.
 constexpr int steps_per_stage = 40, steps_to_halve = 12;
-constexpr double nearly_there = 0.05, divergence = 1e3;
+constexpr double nearly_there = 0.05, divergence = 1e9;
+// The set may cycle where the matrix is not monotone, as in very anisotropic soil. The last try of
+// the first stage is a patient one: steps that move the seepage face are counted apart, and once
+// the number of changes has not fallen for so many steps, one node changes at a time, the first of
+// them, with which no set comes twice (Murty 1974) as far as the problem is linear.
+constexpr int block_changes = 5, face_steps = 160;
 
+constexpr int steps_at_once = 30;          ///< of a start at the last level
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
 constexpr double first_k_min = 1e-4;       ///< until eps is final [-]
 constexpr double stage_factor_k_min = 0.1; ///< of k_min from level to level after that
@@ -68,10 +79,11 @@ class Iteration
 {
 public:
   Iteration(FlowOperator& flow, const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
-            const Smoothing& smoothing, const Scales& scales, Start start, Observer& observer)
+            const Smoothing& smoothing, const Scales& scales, Start start, SolveHistory& history,
+            Observer& observer)
       : flow_(flow), mesh_(mesh), conditions_(conditions), smoothing_(smoothing),
         conductivity_(scales.conductivity), height_(scales.height), p_(std::move(start.p)),
-        active_(p_.size(), 0), fixed_(p_.size(), 0), observer_(observer)
+        active_(p_.size(), 0), fixed_(p_.size(), 0), history_(history), observer_(observer)
   {
     const double p_zero = -1e-9 * start.smoothing; // rounding of an interpolated zero
     for (std::size_t i = 0; i < p_.size(); ++i)
@@ -84,6 +96,9 @@ public:
     }
     history_.unknowns = static_cast<Index>(p_.size());
   }
+
+  /// At the last level from the start.
+  bool at_once(const Level& end) { return stage(end, final_tolerance, steps_at_once); }
 
   /// From one level, at which the iterate is converged, to the next; halfway first if that fails.
   bool advance(const Level& from, const Level& to, double tolerance, int halvings)
@@ -102,14 +117,21 @@ public:
            advance(middle, to, tolerance, halvings - 1);
   }
 
-  /// The first stage; if it fails, from a larger smoothing, where the problem is almost linear.
+  /// The first stage; if it fails, from a larger smoothing, where the problem is almost linear; at
+  /// last patiently.
   bool start(Level& level)
   {
     const std::vector<double> p = p_;
     const std::vector<std::uint8_t> active = active_, fixed = fixed_;
-    for (int attempt = 0; attempt < first_tries; ++attempt, level.eps *= first_growth)
+    const Level first = level;
+    for (int attempt = 0; attempt <= first_tries; ++attempt, level.eps *= first_growth)
     {
-      if (stage(level, stage_tolerance))
+      patient_ = attempt == first_tries;
+      if (patient_)
+        level = first;
+      const bool good = stage(level, stage_tolerance);
+      patient_ = false;
+      if (good)
         return true;
       p_ = p;
       active_ = active;
@@ -132,6 +154,26 @@ public:
             .history = history_};
   }
 
+  /// What the last iterate shows of why there is none; empty if it shows nothing.
+  [[nodiscard]] std::string cause() const
+  {
+    const Totals now = totals();
+    if (now.rounding > largest_rounding * now.flow())
+      return fmt::format(
+          ", rounding hides the flow: {:.2g} m2/s of rounding beside {:.2g} m2/s (heads "
+          "that hardly differ, or conductivities too far apart)",
+          now.rounding, now.flow());
+    std::size_t driest = p_.size();
+    for (std::size_t i = 0; i < p_.size(); ++i)
+      if (conditions_.load[i] < 0 && p_[i] < 0 && (driest == p_.size() || p_[i] < p_[driest]))
+        driest = i;
+    if (driest < p_.size())
+      return fmt::format(", a boundary draws more water out than the soil yields: it is dry at "
+                         "({:.6g}, {:.6g}) m,",
+                         mesh_.nodes[driest].x(), mesh_.nodes[driest].y());
+    return "";
+  }
+
   /// The last Newton steps, a line each.
   [[nodiscard]] std::string history() const
   {
@@ -144,13 +186,16 @@ public:
 
 private:
   /// Newton steps at one level until converged; false if they do not get there.
-  bool stage(const Level& level, double tolerance)
+  bool stage(const Level& level, double tolerance, int longest = steps_per_stage)
   {
     set_level(level);
     evaluate();
-    double first = 0;
+    double first = 0, best = 0;
+    int stalled = 0, moved = 0;
     largest_move_ = height_;
-    for (int step = 0; step < steps_per_stage; ++step)
+    fewest_changes_ = std::numeric_limits<int>::max();
+    since_fewest_ = 0;
+    for (int step = 0; step < longest + moved && moved < face_steps; ++step)
     {
       if (observer_.stop_requested())
         throw NotConverged("seepage: interrupted after " + history());
@@ -164,18 +209,23 @@ private:
           "of the seepage face\n",
           level.eps, level.k_min, step, residual, now.inflow, changes);
       const bool nothing_flows = now.flow() <= now.rounding && now.imbalance <= now.rounding;
+      if (step == 0)
+        first = best = residual;
+      stalled = changes > 0 || residual < 0.5 * best ? 0 : stalled + 1;
+      best = std::min(best, residual);
+      moved += patient_ && changes > 0 ? 1 : 0;
       const bool only_rounding_moves =
           residual < rounded_tolerance && largest_move_ < rounded_move * height_;
-      const bool small =
-          now.imbalance < tolerance * now.flow() || nothing_flows || only_rounding_moves;
+      const bool rounding_is_left = stalled >= strict_after && now.imbalance < now.rounding &&
+                                    now.rounding < largest_rounding * now.flow();
+      const bool small = now.imbalance < tolerance * now.flow() || nothing_flows ||
+                         only_rounding_moves || rounding_is_left;
       if (small && changes == 0)
         return true;
-      if (step == 0)
-        first = residual;
       if (!(residual < divergence * std::max(first, 1.0)) ||
-          (step >= steps_to_halve && residual > 0.5 * std::max(first, nearly_there)))
+          (step >= steps_to_halve + moved && residual > 0.5 * std::max(first, nearly_there)))
         return false;
-      newton_step(residual < strict_below ? 1 : growth_allowed);
+      newton_step(residual < strict_below || stalled >= strict_after ? 1 : growth_allowed);
       ++history_.newton_steps;
     }
     return false;
@@ -224,26 +274,22 @@ private:
     const Totals now = totals();
     const double least =
         -(lost_outflow * now.flow() + now.rounding / static_cast<double>(p_.size()));
-    int changes = 0;
+    std::vector<std::size_t> changing;
     for (std::size_t i = 0; i < p_.size(); ++i)
-    {
-      if (conditions_.kind[i] != NodeKind::face)
-        continue;
-      const double outflow = -F_[i];
-      if (active_[i] && outflow < least)
-      {
-        active_[i] = 0;
-        fixed_[i] = 0;
-        ++changes;
-      }
-      else if (!active_[i] && p_[i] > 0)
-      {
+      if (conditions_.kind[i] == NodeKind::face && (active_[i] ? -F_[i] < least : p_[i] > 0))
+        changing.push_back(i);
+    const int changes = static_cast<int>(changing.size());
+    since_fewest_ = changes < fewest_changes_ ? 0 : since_fewest_ + 1;
+    fewest_changes_ = std::min(fewest_changes_, changes);
+    if (patient_ && changes > 1 && since_fewest_ > block_changes)
+      changing.resize(1);
+    for (const std::size_t i : changing)
+      if (active_[i])
+        active_[i] = fixed_[i] = 0;
+      else
         activate(i);
-        ++changes;
-      }
-    }
-    history_.active_set_changes += changes;
-    return changes;
+    history_.active_set_changes += static_cast<int>(changing.size());
+    return static_cast<int>(changing.size());
   }
 
   [[nodiscard]] Totals totals() const
@@ -311,11 +357,14 @@ private:
   std::span<const double> conductivity_; ///< of each triangle [m/s]
   double height_;                        ///< [m]
   double largest_move_ = 0;              ///< of a pressure head in the last step [m]
+  bool patient_ = false;                 ///< with a seepage face that cycles
+  int fewest_changes_ = 0;               ///< of the seepage face in a step of this stage
+  int since_fewest_ = 0;                 ///< steps without fewer
   std::vector<double> p_, F_, correction_;
   Smoothing level_;                 ///< of the present level
   std::vector<double> eps_, k_min_; ///< the same, largest around each node
   std::vector<std::uint8_t> active_, fixed_;
-  SolveHistory history_;
+  SolveHistory& history_;
   std::string log_;
   Observer& observer_;
 };
@@ -346,17 +395,19 @@ double moved_pressure(double p, double correction, double eps, double k_min)
 
 Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                   const NodeConditions& conditions, const Smoothing& smoothing,
-                  const Scales& scales, Start start, Observer& observer)
+                  const Scales& scales, Start start, SolveHistory& history, Observer& observer)
 {
   const Level end{.eps = std::ranges::min(smoothing.eps),
                   .k_min = std::ranges::min(smoothing.k_min)};
   Level level{.eps = std::max(start.smoothing, end.eps), .k_min = std::max(first_k_min, end.k_min)};
   const double way = std::log(level.eps / end.eps) + std::log(level.k_min / end.k_min) + 1e-12;
-  Iteration iteration(flow, mesh, conditions, smoothing, scales, std::move(start), observer);
+  const bool at_once = start.smoothing == 0;
+  Iteration iteration(flow, mesh, conditions, smoothing, scales, std::move(start), history,
+                      observer);
 
   // eps first, then k_min, each in steps; the last one to the tolerance of the answer.
-  bool good = iteration.start(level);
-  for (bool last = false; good && !last;)
+  bool good = at_once ? iteration.at_once(end) : iteration.start(level);
+  for (bool last = at_once; good && !last;)
   {
     Level next = level;
     if (level.eps > end.eps)
@@ -370,7 +421,10 @@ Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
     level = next;
   }
   if (!good)
-    throw NotConverged("seepage: no convergence in " + iteration.history());
+    throw NotConverged("seepage: no convergence" + iteration.cause() + " in " +
+                       iteration.history());
+  if (at_once)
+    observer.progress(1, "converged at the final smoothing");
   return iteration.finish();
 }
 } // namespace berm::seepage

@@ -28,7 +28,7 @@ namespace berm::seepage
 struct Start
 {
   std::vector<double> p; ///< pressure head [m], shape (n)
-  double smoothing = 0;  ///< first eps [m]
+  double smoothing = 0;  ///< first eps [m]; 0: the final eps and k_min at once
 };
 
 /// What the answer is smoothed with.
@@ -57,8 +57,11 @@ struct Field
 };
 
 /// @brief Solve docs/theory.md eq. (2.6) with the complementarity (2.4) on the seepage face.
-/// @throws NotConverged with the history, also if the observer asks to stop.
+/// @param[in,out] history  Newton steps and changes of the set are added, the rest is replaced.
+/// @throws NotConverged with the history, also if the observer asks to stop; names the cause if the
+///         last iterate shows one.
 [[nodiscard]] Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                                 const NodeConditions& conditions, const Smoothing& smoothing,
-                                const Scales& scales, Start start, Observer& observer);
+                                const Scales& scales, Start start, SolveHistory& history,
+                                Observer& observer);
 } // namespace berm::seepage

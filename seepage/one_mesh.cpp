@@ -19,11 +19,10 @@ namespace
 {
 // Numbers of the method: docs/theory.md section 2.
 
-constexpr double smoothing_share = 0.2;  ///< eps over the element size [-]
-constexpr double first_smoothing = 0.25; ///< eps at the start over the height of the water [-]
+constexpr double smoothing_share = 0.2; ///< eps over the element size [-]
 // Far above the free surface a soil conducts at most this share of its own conductivity, and at
 // most that share of the least conductive soil's: a dry drain must not pass what a wet core does.
-constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-9;
+constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-11;
 
 /// Geometric mean of the principal conductivities [m/s].
 double mean(const Conductivity& k)
@@ -84,16 +83,6 @@ void check_finite(const meshes::TriangleMesh& mesh, const std::vector<double>& p
     if (!std::isfinite(p[i]))
       throw NumericalError(fmt::format("seepage: the pressure head at ({:.6g}, {:.6g}) m is {}",
                                        mesh.nodes[i].x(), mesh.nodes[i].y(), p[i]));
-}
-
-/// Hydrostatic with the highest head everywhere: the seepage face then shrinks to its extent.
-Start full_of_water(const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
-                    double height)
-{
-  Start start{.p = {}, .smoothing = first_smoothing * height};
-  for (const Vec2& x : mesh.nodes)
-    start.p.push_back(conditions.highest_head - x.y());
-  return start;
 }
 
 /// k_r K of each triangle with the mean of k_r over its sides' middles [m/s], shape (m).
@@ -169,8 +158,8 @@ GivenFlow given_flow(const meshes::TriangleMesh& mesh, const std::vector<Boundar
 }
 
 /// Largest eps of a triangle with wet and dry nodes [m]; 0 if there is none.
-double surface_smoothing(const meshes::TriangleMesh& mesh, const std::vector<double>& p,
-                         const std::vector<double>& eps)
+double surface_eps(const meshes::TriangleMesh& mesh, const std::vector<double>& p,
+                   const std::vector<double>& eps)
 {
   double largest = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -182,10 +171,24 @@ double surface_smoothing(const meshes::TriangleMesh& mesh, const std::vector<dou
   }
   return largest;
 }
+
+/// Of each triangle -> the largest around each node, shape (n).
+std::vector<double> largest_around(const meshes::TriangleMesh& mesh,
+                                   const std::vector<double>& of_triangle)
+{
+  std::vector<double> at_node(mesh.nodes.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Index node : mesh.triangles[t])
+    {
+      double& value = at_node[static_cast<std::size_t>(node)];
+      value = std::max(value, of_triangle[t]);
+    }
+  return at_node;
+}
 } // namespace
 
 MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
-                            const std::optional<Start>& warm_start, Observer& observer)
+                            const std::optional<CoarserField>& coarser, Observer& observer)
 {
   const Stopwatch watch;
   MeshSolution result;
@@ -214,24 +217,8 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   // Step 2: the pressure.
   const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
   FlowOperator flow(mesh, tensors, weight);
-  const auto solve_with = [&](Start start)
-  {
-    return solve_field(flow, mesh, conditions, smoothing,
-                       {.height = height, .conductivity = k_mean}, std::move(start), observer);
-  };
-  std::optional<Field> warm;
-  if (warm_start)
-    try
-    {
-      warm = solve_with(*warm_start);
-    }
-    catch (const NotConverged&)
-    {
-      if (observer.stop_requested())
-        throw;
-      observer.note("the coarser mesh's solution was no good start; starting anew");
-    }
-  result.field = warm ? std::move(*warm) : solve_with(full_of_water(mesh, conditions, height));
+  result.field = solve_by_strategies(flow, mesh, conditions, smoothing,
+                                     {.height = height, .conductivity = k_mean}, coarser, observer);
   const std::vector<double>& p = result.field.p;
   check_finite(mesh, p);
 
@@ -240,7 +227,8 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   result.effective = effective(mesh, p, weight, smoothing, tensors);
   result.phreatic_lines = zero_contours(mesh, p);
   result.exit_point = find_exit(mesh, conditions, result.field.entering, result.phreatic_lines);
-  result.surface_smoothing = surface_smoothing(mesh, p, smoothing.eps);
+  result.eps = largest_around(mesh, smoothing.eps);
+  result.surface_eps = surface_eps(mesh, p, smoothing.eps);
   const GivenFlow given = given_flow(
       mesh, problem.boundary, boundary_flow(mesh, problem.boundary, conditions, result.field));
   result.indicator = error_indicator(mesh, result.flux, k_mean, given.given, given.flux);

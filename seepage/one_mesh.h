@@ -8,6 +8,7 @@
 #include "seepage/newton.h"
 #include "seepage/seepage.h"
 #include "seepage/solution.h"
+#include "seepage/strategies.h"
 
 #include <optional>
 #include <vector>
@@ -31,17 +32,18 @@ struct MeshSolution
   std::vector<Vec2> flux;                    ///< Darcy, of each triangle [m/s], shape (m)
   std::vector<ConductivityTensor> effective; ///< k_r K of each triangle [m/s], shape (m)
   std::vector<double> indicator;             ///< docs/theory.md eq. (2.15) [m3/s], shape (m)
-  double surface_smoothing = 0; ///< largest eps of a triangle that the free surface crosses [m]
+  std::vector<double> eps; ///< smoothing of k_r, largest around each node [m], shape (n)
+  double surface_eps = 0;  ///< the largest of a triangle that the free surface crosses [m]
   std::vector<Polyline> phreatic_lines; ///< as in Solution
   std::optional<Vec2> exit_point;       ///< as in Solution
 };
 
 /// @brief Solve on this mesh.
-/// @param[in] warm  Where to start; nothing: from soil full of water, which is also where it starts
-///                  anew if that does not converge.
+/// @param[in] coarser  The coarser mesh's solution on this one, to start from; or nothing.
 /// @throws As seepage::solve.
 [[nodiscard]] MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
-                                          const std::optional<Start>& warm, Observer& observer);
+                                          const std::optional<CoarserField>& coarser,
+                                          Observer& observer);
 
 /// @brief The whole answer, stream function and inflows of the stretches included.
 [[nodiscard]] Solution finished(MeshSolution last, const Problem& problem);

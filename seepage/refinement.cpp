@@ -36,14 +36,15 @@ std::vector<std::uint8_t> largest_of(const std::vector<double>& eta2)
 }
 } // namespace
 
-NextMesh next_mesh(meshes::TriangleMesh mesh, std::vector<double> indicator, std::vector<double> p,
+NextMesh next_mesh(meshes::TriangleMesh mesh, std::vector<double> indicator, CoarserField solution,
                    std::size_t most)
 {
   const double goal = indicator_share_left * sum(indicator);
   while (sum(indicator) > goal && mesh.nodes.size() < most)
   {
     meshes::RefinedMesh finer = meshes::refined(mesh, largest_of(indicator));
-    meshes::prolong(finer, p);
+    meshes::prolong(finer, solution.p);
+    meshes::prolong(finer, solution.eps);
     // eq. (2.16): the fourth power of the size, so that each of k parts has 1 / k^2.
     std::vector<double> parts(mesh.triangles.size(), 0);
     for (const Index t : finer.origin)
@@ -58,6 +59,6 @@ NextMesh next_mesh(meshes::TriangleMesh mesh, std::vector<double> indicator, std
     indicator = std::move(expected);
     mesh = std::move(finer.mesh);
   }
-  return {std::move(mesh), std::move(p)};
+  return {std::move(mesh), std::move(solution)};
 }
 } // namespace berm::seepage

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshes/triangle_mesh.h"
+#include "seepage/strategies.h"
 
 #include <cstddef>
 #include <vector>
@@ -9,11 +10,11 @@
 /// The next mesh of an adaptive solve. Internal to seepage/.
 namespace berm::seepage
 {
-/// A mesh, and the pressure head of the solution before on it.
+/// A mesh, and the solution before on it: the first nodes are those of the mesh before.
 struct NextMesh
 {
   meshes::TriangleMesh mesh;
-  std::vector<double> p; ///< [m], shape (n); the first are those of the mesh before
+  CoarserField coarser;
 };
 
 /// Share of the indicators' sum that is expected to be left on the next mesh.
@@ -22,8 +23,8 @@ inline constexpr double indicator_share_left = 0.25;
 /// @brief Cut the triangles with the largest indicators, again and again, until the sum is to be
 /// expected to have fallen to indicator_share_left, docs/theory.md eq. (2.16).
 /// @param[in] indicator  Of each triangle, shape (m).
-/// @param[in] p          Pressure head [m], shape (n).
+/// @param[in] solution   On the mesh.
 /// @param[in] most       No cut begins once the mesh has so many nodes.
 [[nodiscard]] NextMesh next_mesh(meshes::TriangleMesh mesh, std::vector<double> indicator,
-                                 std::vector<double> p, std::size_t most);
+                                 CoarserField solution, std::size_t most);
 } // namespace berm::seepage

@@ -15,6 +15,7 @@ namespace berm::seepage
 struct SolveHistory
 {
   Index unknowns = 0;
+  std::string strategy; ///< from where it was solved: seepage/strategies.h
   int newton_steps = 0;
   int active_set_changes = 0;
   double residual = 0;     ///< |F_free| / q_in at the end [-]

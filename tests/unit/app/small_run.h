@@ -26,7 +26,7 @@ inline coupling::Analysis small_analysis()
   flow.phreatic_lines = {{{0, 1}, {1, 0.5}}};
   flow.exit_point = Vec2{1, 0.5};
   flow.discharge = flow.inflow = flow.outflow = 5e-7;
-  flow.history = {{.unknowns = 4, .newton_steps = 3}};
+  flow.history = {{.unknowns = 4, .strategy = "full section", .newton_steps = 3}};
   flow.seconds = {.wall = 0.25, .cpu = 0.5};
   analysis.seepage = flow;
 

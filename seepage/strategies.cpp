@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seepage/strategies.h"
+
+#include "core/error.h"
+#include "meshes/planar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace berm::seepage
+{
+namespace
+{
+constexpr double first_smoothing = 0.25; ///< eps at the start over the height of the water [-]
+
+struct Strategy
+{
+  std::string name;
+  std::function<Start()> start;
+};
+
+/// Hydrostatic with the highest head everywhere: the seepage face then shrinks to its extent.
+Start full_of_water(const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
+                    double height)
+{
+  Start start{.p = {}, .smoothing = first_smoothing * height};
+  for (const Vec2& x : mesh.nodes)
+    start.p.push_back(conditions.highest_head - x.y());
+  return start;
+}
+
+/// The coarser field for the final smoothing.
+Start rescaled(const meshes::TriangleMesh& mesh, const Smoothing& smoothing,
+               const CoarserField& coarser)
+{
+  std::vector<double> eps(coarser.p.size(), 0), k_min(coarser.p.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Index node : mesh.triangles[t])
+    {
+      const auto i = static_cast<std::size_t>(node);
+      eps[i] = std::max(eps[i], smoothing.eps[t]);
+      k_min[i] = std::max(k_min[i], smoothing.k_min[t]);
+    }
+  Start start{.p = coarser.p, .smoothing = 0};
+  for (std::size_t i = 0; i < start.p.size(); ++i)
+    start.p[i] = rescaled_pressure(coarser.p[i], coarser.eps[i], eps[i], k_min[i]);
+  return start;
+}
+
+std::string_view last_line(std::string_view text)
+{
+  while (text.ends_with('\n'))
+    text.remove_suffix(1);
+  text.remove_prefix(text.rfind('\n') + 1);
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text;
+}
+} // namespace
+
+double rescaled_pressure(double p, double eps_before, double eps, double k_min)
+{
+  if (p >= 0)
+    return p;
+  const double lowest = 1 + std::log(k_min); // of p / eps
+  return eps * std::max(p / eps_before, lowest) + std::min(p - eps_before * lowest, 0.0);
+}
+
+Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
+                          const NodeConditions& conditions, const Smoothing& smoothing,
+                          const Scales& scales, const std::optional<CoarserField>& coarser,
+                          Observer& observer)
+{
+  std::vector<Strategy> strategies;
+  if (coarser)
+  {
+    strategies.push_back({"coarser mesh", [&] { return Start{.p = coarser->p, .smoothing = 0}; }});
+    strategies.push_back(
+        {"coarser mesh rescaled", [&] { return rescaled(mesh, smoothing, *coarser); }});
+    strategies.push_back({"coarser mesh in steps", [&]
+                          { return Start{.p = coarser->p, .smoothing = coarser->largest_eps}; }});
+  }
+  strategies.push_back(
+      {"full section", [&] { return full_of_water(mesh, conditions, scales.height); }});
+
+  SolveHistory history;
+  for (std::size_t k = 0;; ++k)
+    try
+    {
+      Field field = solve_field(flow, mesh, conditions, smoothing, scales, strategies[k].start(),
+                                history, observer);
+      field.history.strategy = strategies[k].name;
+      return field;
+    }
+    catch (const NotConverged& failure)
+    {
+      if (observer.stop_requested() || k + 1 == strategies.size())
+        throw;
+      observer.note(fmt::format("no convergence from the {} ({}); now from the {}",
+                                strategies[k].name, last_line(failure.what()),
+                                strategies[k + 1].name));
+    }
+}
+} // namespace berm::seepage
