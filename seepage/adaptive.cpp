@@ -131,7 +131,7 @@ Start from_coarser(const meshes::TriangleMesh& mesh, const Solution& coarser)
 std::vector<ConductivityTensor> effective(const meshes::TriangleMesh& mesh,
                                           const std::vector<double>& p,
                                           const std::vector<double>& weight,
-                                          const Smoothing& smoothing,
+                                          const std::vector<RelativeConductivity>& laws,
                                           const std::vector<ConductivityTensor>& k_sat)
 {
   std::vector<ConductivityTensor> result;
@@ -143,9 +143,7 @@ std::vector<ConductivityTensor> effective(const meshes::TriangleMesh& mesh,
     {
       const auto i = static_cast<std::size_t>(mesh.triangles[t][a]),
                  j = static_cast<std::size_t>(mesh.triangles[t][(a + 1) % 3]);
-      k_r += relative_conductivity((p[i] + p[j]) / 2, (weight[i] + weight[j]) / 2, smoothing.eps[t],
-                                   smoothing.k_min[t]) /
-             3;
+      k_r += relative_conductivity(laws[t], (p[i] + p[j]) / 2, (weight[i] + weight[j]) / 2) / 3;
     }
     result.push_back({k_r * k_sat[t].xx, k_r * k_sat[t].xy, k_r * k_sat[t].yy});
   }
@@ -192,9 +190,6 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
 
   const std::vector<Conductivity> k_sat = conductivities(mesh, conductivity);
   std::vector<ConductivityTensor> tensors;
-  Smoothing smoothing{.eps = element_sizes(mesh), .k_min = {}};
-  for (double& eps : smoothing.eps)
-    eps *= smoothing_share;
   std::vector<double> k_mean;
   for (const Conductivity& k : k_sat)
   {
@@ -202,15 +197,23 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
     k_mean.push_back(mean(k));
   }
   const double k_low = std::ranges::min(k_mean);
-  for (const double k : k_mean) // docs/theory.md eq. (2.10)
-    smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
+  const std::vector<double> size = element_sizes(mesh);
+  std::vector<RelativeConductivity> laws;
+  for (std::size_t t = 0; t < k_sat.size(); ++t)
+  {
+    const double k_min = // docs/theory.md eq. (2.10)
+        std::clamp(k_min_lowest * k_low / k_mean[t], k_min_floor, k_min_own);
+    laws.push_back(law_of(k_sat[t].retention, smoothing_share * size[t], k_min));
+  }
+  const bool curves = std::ranges::any_of(laws, [](const RelativeConductivity& law)
+                                          { return law.curve.scale > 0; });
 
   const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
-  FlowOperator flow(mesh, tensors, weight);
+  FlowOperator flow(mesh, tensors, weight, curves);
   const auto solve_with = [&](Start start)
   {
-    return solve_field(flow, mesh, conditions, smoothing,
-                       {.height = height, .conductivity = k_mean}, std::move(start), observer);
+    return solve_field(flow, mesh, conditions, laws, {.height = height, .conductivity = k_mean},
+                       std::move(start), observer);
   };
   std::optional<Field> warm;
   if (coarser)
@@ -245,7 +248,7 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
   solution.stream_function.assign(mesh.nodes.size(), 0);
   if (field.inflow > 0)
     solution.stream_function =
-        stream_function(mesh, effective(mesh, field.p, weight, smoothing, tensors), solution.head,
+        stream_function(mesh, effective(mesh, field.p, weight, laws, tensors), solution.head,
                         at_boundary, field.inflow);
   solution.reaction = at_boundary.reaction;
   solution.mesh = std::move(mesh);

@@ -3,17 +3,20 @@
 
 #include "core/observer.h"
 #include "meshes/section.h"
+#include "seepage/retention.h"
 #include "seepage/solution.h"
 
 #include <vector>
 
 namespace berm::seepage
 {
-/// Saturated hydraulic conductivity: principal values along axes turned by `angle` from x.
+/// Hydraulic conductivity: principal values in wet soil, along axes turned by `angle` from x, and
+/// how it falls with suction.
 struct Conductivity
 {
   double kx = 0, ky = 0; ///< [m/s], > 0
   double angle = 0;      ///< [rad], counter-clockwise
+  Retention retention{};
 };
 
 enum class BoundaryKind
@@ -48,7 +51,8 @@ struct Settings
                                                         const std::vector<Boundary>& marked);
 
 /// @brief Solve steady unconfined Darcy flow on the section: mesh, solve, refine, solve.
-/// Saturated flow with a sharp free surface; docs/theory.md section 2. When adaptive, the second
+/// Saturated flow with a sharp free surface, or with a capillary fringe in soils that have a
+/// retention curve; docs/theory.md section 2. When adaptive, the second
 /// mesh is refined along the free surface and at singular corners, and a third follows if the free
 /// surface moved out of the refined band. A boundary of kind head acts as a potential seepage face
 /// above its level. MPI and PETSc start with the first solve and end with the process. Serial; the
