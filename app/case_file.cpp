@@ -131,15 +131,51 @@ private:
       m.poisson_ratio = si("poisson_ratio", 1);
       m.tensile_strength = number(at + "tensile_strength_kPa", INFINITY) * 1e3;
       check_soil(at, m);
+      const seepage::Retention retention = assemble_retention(at + "retention.");
       if (const auto k = values_.get<std::vector<double>>(at + "conductivity_m_s"))
-        soil.conductivity =
-            seepage::Conductivity{(*k)[0], (*k)[1], si("conductivity_angle_deg", radians)};
+        soil.conductivity = seepage::Conductivity{(*k)[0], (*k)[1],
+                                                  si("conductivity_angle_deg", radians), retention};
       else if (seepage && !given(at + "conductivity_m_s"))
         add({.key = at + "conductivity_m_s",
              .problem = std::string(missing_key),
              .hint = "every soil needs one where the pore pressure comes from a seepage solve"});
       case_.soils.push_back(std::move(soil));
     }
+  }
+
+  seepage::Retention assemble_retention(const std::string& at)
+  {
+    using enum seepage::RetentionModel;
+    constexpr double bounded_from = 2, air_entry = 0.02; // n [-] and [m], docs/theory.md eq. (2.43)
+    const auto model = values_.get<std::string>(at + "model");
+    if (!model) // wrong: reported already
+      return {};
+    seepage::Retention retention;
+    retention.model = *model == "gardner"         ? gardner
+                      : *model == "van_genuchten" ? van_genuchten
+                                                  : sharp;
+    const auto belongs = [&](const char* key, bool wanted, bool required)
+    {
+      if (wanted && required && !given(at + key))
+        add({.key = at + key,
+             .problem = std::string(missing_key),
+             .hint = fmt::format("model = \"{}\" needs it", *model)});
+      else if (!wanted && given(at + key))
+        add({.key = at + key,
+             .value = fmt::format("{}", number(at + key, NAN)),
+             .problem = fmt::format("model = \"{}\" has none", *model),
+             .hint = "see soil.*.retention.model in `berm reference`"});
+    };
+    const bool has_curve = retention.model == van_genuchten;
+    belongs("alpha_1_m", retention.model != sharp, true);
+    belongs("n", has_curve, true);
+    belongs("mualem_l", has_curve, false);
+    belongs("air_entry_m", has_curve, false);
+    retention.alpha = number(at + "alpha_1_m", 0);
+    retention.n = number(at + "n", 0);
+    retention.l = number(at + "mualem_l", retention.l);
+    retention.air_entry = number(at + "air_entry_m", retention.n < bounded_from ? air_entry : 0);
+    return retention;
   }
 
   void check_soil(const std::string& at, const sph::Soil& m)

@@ -28,8 +28,8 @@ std::string table_of(std::string_view path)
   const std::string_view table = path.substr(0, cut);
   if (table.ends_with("[]"))
     return fmt::format("`[[{}]]`", table.substr(0, table.size() - 2));
-  if (table.ends_with("*"))
-    return fmt::format("`[{}NAME]`", table.substr(0, table.size() - 1));
+  if (const auto star = table.find('*'); star != std::string_view::npos)
+    return fmt::format("`[{}NAME{}]`", table.substr(0, star), table.substr(star + 1));
   return fmt::format("`[{}]`", table);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshes/triangle_mesh.h"
+#include "seepage/relative_conductivity.h"
 
 #include <array>
 #include <cstdint>
@@ -26,15 +27,16 @@ class FlowOperator
 public:
   /// @param[in] conductivity  Of each triangle, shape (m).
   /// @param[in] weight        w of docs/theory.md eq. (2.5) at the nodes, shape (n).
+  /// @param[in] curves        Whether a triangle may have van Genuchten's curve: costs more.
   FlowOperator(const meshes::TriangleMesh& mesh, std::span<const ConductivityTensor> conductivity,
-               std::span<const double> weight);
+               std::span<const double> weight, bool curves = false);
   ~FlowOperator();
   FlowOperator(const FlowOperator&) = delete;
   FlowOperator& operator=(const FlowOperator&) = delete;
 
-  /// @brief Set eps [m] and k_min [-] of docs/theory.md eq. (2.5) in each triangle, shape (m).
-  /// Until then k_r = 1 everywhere.
-  void set_relative_conductivity(std::span<const double> eps, std::span<const double> k_min);
+  /// @brief Set k_r of each triangle, docs/theory.md eq. (2.40), shape (m). Until then k_r = 1
+  /// everywhere. Pre: none has van Genuchten's curve unless the operator was made for it.
+  void set_relative_conductivity(std::span<const RelativeConductivity> laws);
 
   /// @brief Water that has to enter at each node for this pressure head [m2/s] (docs/theory.md eq.
   /// (2.6)).

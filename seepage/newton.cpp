@@ -33,7 +33,6 @@ constexpr double lost_outflow = 1e-12;    ///< over q: less through a node is ro
 constexpr int smallest_step_halvings = 6;
 constexpr double growth_allowed = 10, strict_below = 1e-5;
 constexpr int strict_after = 4;
-constexpr double largest_drying = 2; ///< of a node in one step, over eps
 
 // A stage has failed that is not done by so many steps, or that has not halved its residual (or got
 // it down to half of `nearly_there`) by so many, or whose residual grows by the factor
@@ -79,9 +78,9 @@ class Iteration
 {
 public:
   Iteration(FlowOperator& flow, const meshes::TriangleMesh& mesh, const NodeConditions& conditions,
-            const Smoothing& smoothing, const Scales& scales, Start start, SolveHistory& history,
-            Observer& observer)
-      : flow_(flow), mesh_(mesh), conditions_(conditions), smoothing_(smoothing),
+            std::span<const RelativeConductivity> laws, const Scales& scales, Start start,
+            SolveHistory& history, Observer& observer)
+      : flow_(flow), mesh_(mesh), conditions_(conditions), laws_(laws),
         conductivity_(scales.conductivity), height_(scales.height), p_(std::move(start.p)),
         active_(p_.size(), 0), fixed_(p_.size(), 0), history_(history), observer_(observer)
   {
@@ -240,21 +239,23 @@ private:
 
   void set_level(const Level& level)
   {
-    level_ = smoothing_;
-    eps_.assign(p_.size(), 0);
-    k_min_.assign(p_.size(), 0);
-    for (std::size_t t = 0; t < level_.eps.size(); ++t)
+    level_.assign(laws_.begin(), laws_.end());
+    node_law_.assign(p_.size(), {.eps = 0, .k_min = 0, .fringe = 0, .tau = 1, .curve = {}});
+    for (std::size_t t = 0; t < level_.size(); ++t)
     {
-      level_.eps[t] = std::max(level_.eps[t], level.eps);
-      level_.k_min[t] = std::max(level_.k_min[t], level.k_min);
+      RelativeConductivity& law = level_[t];
+      law.eps = std::max(law.eps, level.eps);
+      law.k_min = std::max(law.k_min, level.k_min);
       for (const Index node : mesh_.triangles[t])
       {
-        const auto i = static_cast<std::size_t>(node);
-        eps_[i] = std::max(eps_[i], level_.eps[t]);
-        k_min_[i] = std::max(k_min_[i], level_.k_min[t]);
+        RelativeConductivity& there = node_law_[static_cast<std::size_t>(node)];
+        const double k_min = std::max(there.k_min, law.k_min);
+        if (law.eps > there.eps)
+          there = law;
+        there.k_min = k_min;
       }
     }
-    flow_.set_relative_conductivity(level_.eps, level_.k_min);
+    flow_.set_relative_conductivity(level_);
   }
 
   /// F: water that enters at the nodes beyond what is prescribed there.
@@ -314,7 +315,7 @@ private:
         largest = std::max(largest, std::abs(p));
       }
       t.rounding += std::numeric_limits<double>::epsilon() * conductivity_[k] * largest *
-                    relative_conductivity(highest, 1, level_.eps[k], level_.k_min[k]);
+                    relative_conductivity(level_[k], highest, 1);
     }
     return t;
   }
@@ -340,7 +341,7 @@ private:
     {
       for (std::size_t i = 0; i < p_.size(); ++i)
         if (!fixed_[i])
-          p_[i] = moved_pressure(p[i], -s * correction_[i], eps_[i], k_min_[i]);
+          p_[i] = moved_pressure(node_law_[i], p[i], -s * correction_[i]);
       largest_move_ = 0;
       for (std::size_t i = 0; i < p_.size(); ++i)
         largest_move_ = std::max(largest_move_, std::abs(p_[i] - p[i]));
@@ -353,16 +354,17 @@ private:
   FlowOperator& flow_;
   const meshes::TriangleMesh& mesh_;
   const NodeConditions& conditions_;
-  const Smoothing& smoothing_;
-  std::span<const double> conductivity_; ///< of each triangle [m/s]
-  double height_;                        ///< [m]
-  double largest_move_ = 0;              ///< of a pressure head in the last step [m]
-  bool patient_ = false;                 ///< with a seepage face that cycles
-  int fewest_changes_ = 0;               ///< of the seepage face in a step of this stage
-  int since_fewest_ = 0;                 ///< steps without fewer
+  std::span<const RelativeConductivity> laws_; ///< of the answer
+  std::span<const double> conductivity_;       ///< of each triangle [m/s]
+  double height_;                              ///< [m]
+  double largest_move_ = 0;                    ///< of a pressure head in the last step [m]
+  bool patient_ = false;                       ///< with a seepage face that cycles
+  int fewest_changes_ = 0;                     ///< of the seepage face in a step of this stage
+  int since_fewest_ = 0;                       ///< steps without fewer
   std::vector<double> p_, F_, correction_;
-  Smoothing level_;                 ///< of the present level
-  std::vector<double> eps_, k_min_; ///< the same, largest around each node
+  std::vector<RelativeConductivity> level_; ///< of the present level
+  std::vector<RelativeConductivity>
+      node_law_; ///< the same, of the largest eps and k_min around a node
   std::vector<std::uint8_t> active_, fixed_;
   SolveHistory& history_;
   std::string log_;
@@ -370,40 +372,16 @@ private:
 };
 } // namespace
 
-double relative_conductivity(double p, double w, double eps, double k_min)
-{
-  return k_min + (1 - k_min) * std::exp(std::min(p - eps * w, 0.0) / eps);
-}
-
-double moved_pressure(double p, double correction, double eps, double k_min)
-{
-  // Below p_dry the floor k_min governs and the flow is linear in p.
-  const double p_dry = eps * (1 + std::log(k_min));
-  if (correction <= 0)
-    return p < p_dry ? p + correction
-                     : std::max(p + correction, std::min(p, eps) - largest_drying * eps);
-  if (p >= eps)
-    return p + correction;
-  const double linear = std::clamp(p_dry - p, 0.0, correction);
-  if (linear == correction)
-    return p + correction;
-  p += linear;
-  // U = int k_r dp is eps exp((p - eps) / eps) below eps, p above; dU = k_r dp.
-  const double u = std::exp((p - eps) / eps) * (eps + correction - linear);
-  return u < eps ? eps + eps * std::log(u / eps) : u;
-}
-
 Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
-                  const NodeConditions& conditions, const Smoothing& smoothing,
+                  const NodeConditions& conditions, std::span<const RelativeConductivity> laws,
                   const Scales& scales, Start start, SolveHistory& history, Observer& observer)
 {
-  const Level end{.eps = std::ranges::min(smoothing.eps),
-                  .k_min = std::ranges::min(smoothing.k_min)};
+  const Level end{.eps = std::ranges::min(laws, {}, &RelativeConductivity::eps).eps,
+                  .k_min = std::ranges::min(laws, {}, &RelativeConductivity::k_min).k_min};
   Level level{.eps = std::max(start.smoothing, end.eps), .k_min = std::max(first_k_min, end.k_min)};
   const double way = std::log(level.eps / end.eps) + std::log(level.k_min / end.k_min) + 1e-12;
   const bool at_once = start.smoothing == 0;
-  Iteration iteration(flow, mesh, conditions, smoothing, scales, std::move(start), history,
-                      observer);
+  Iteration iteration(flow, mesh, conditions, laws, scales, std::move(start), history, observer);
 
   // eps first, then k_min, each in steps; the last one to the tolerance of the answer.
   bool good = at_once ? iteration.at_once(end) : iteration.start(level);

@@ -14,28 +14,11 @@
 /// the relative conductivity. Internal to seepage/.
 namespace berm::seepage
 {
-/// @brief Relative conductivity, docs/theory.md eq. (2.5):
-/// k_r = k_min + (1 - k_min) exp(min(p - eps w, 0) / eps). The forms of forms/flow.py use the same.
-[[nodiscard]] double relative_conductivity(double p, double w, double eps, double k_min);
-
-/// @brief Move the pressure head at a node by a Newton correction, docs/theory.md eq. (2.9).
-/// Where a dry node gets wetter, the correction is one of the integral of k_r, which is nearly
-/// linear in the flow, and not of p, which is its logarithm and would overshoot by orders of
-/// magnitude.
-[[nodiscard]] double moved_pressure(double p, double correction, double eps, double k_min);
-
 /// Where the solve starts.
 struct Start
 {
   std::vector<double> p; ///< pressure head [m], shape (n)
   double smoothing = 0;  ///< first eps [m]; 0: the final eps and k_min at once
-};
-
-/// What the answer is smoothed with.
-struct Smoothing
-{
-  std::vector<double> eps;   ///< in each triangle [m], shape (m)
-  std::vector<double> k_min; ///< in each triangle [-], shape (m)
 };
 
 /// Against which rounding is judged.
@@ -57,11 +40,12 @@ struct Field
 };
 
 /// @brief Solve docs/theory.md eq. (2.6) with the complementarity (2.4) on the seepage face.
+/// @param[in]     laws     k_r of the answer in each triangle, shape (m).
 /// @param[in,out] history  Newton steps and changes of the set are added, the rest is replaced.
 /// @throws NotConverged with the history, also if the observer asks to stop; names the cause if the
 ///         last iterate shows one.
 [[nodiscard]] Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
-                                const NodeConditions& conditions, const Smoothing& smoothing,
-                                const Scales& scales, Start start, SolveHistory& history,
-                                Observer& observer);
+                                const NodeConditions& conditions,
+                                std::span<const RelativeConductivity> laws, const Scales& scales,
+                                Start start, SolveHistory& history, Observer& observer);
 } // namespace berm::seepage

@@ -89,7 +89,7 @@ void check_finite(const meshes::TriangleMesh& mesh, const std::vector<double>& p
 std::vector<ConductivityTensor> effective(const meshes::TriangleMesh& mesh,
                                           const std::vector<double>& p,
                                           const std::vector<double>& weight,
-                                          const Smoothing& smoothing,
+                                          const std::vector<RelativeConductivity>& laws,
                                           const std::vector<ConductivityTensor>& k_sat)
 {
   std::vector<ConductivityTensor> result;
@@ -101,9 +101,7 @@ std::vector<ConductivityTensor> effective(const meshes::TriangleMesh& mesh,
     {
       const auto i = static_cast<std::size_t>(mesh.triangles[t][a]),
                  j = static_cast<std::size_t>(mesh.triangles[t][(a + 1) % 3]);
-      k_r += relative_conductivity((p[i] + p[j]) / 2, (weight[i] + weight[j]) / 2, smoothing.eps[t],
-                                   smoothing.k_min[t]) /
-             3;
+      k_r += relative_conductivity(laws[t], (p[i] + p[j]) / 2, (weight[i] + weight[j]) / 2) / 3;
     }
     result.push_back({k_r * k_sat[t].xx, k_r * k_sat[t].xy, k_r * k_sat[t].yy});
   }
@@ -201,9 +199,6 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   // Step 1: the conductivities and their smoothing.
   const std::vector<Conductivity> k_sat = conductivities(mesh, problem.conductivity);
   std::vector<ConductivityTensor> tensors;
-  Smoothing smoothing{.eps = element_sizes(mesh), .k_min = {}};
-  for (double& eps : smoothing.eps)
-    eps *= smoothing_share;
   std::vector<double> k_mean;
   for (const Conductivity& k : k_sat)
   {
@@ -211,24 +206,34 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
     k_mean.push_back(mean(k));
   }
   const double k_low = std::ranges::min(k_mean);
-  for (const double k : k_mean) // docs/theory.md eq. (2.10)
-    smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
+  const std::vector<double> size = element_sizes(mesh);
+  std::vector<RelativeConductivity> laws;
+  std::vector<double> eps;
+  for (std::size_t t = 0; t < k_sat.size(); ++t)
+  {
+    const double k_min = // docs/theory.md eq. (2.10)
+        std::clamp(k_min_lowest * k_low / k_mean[t], k_min_floor, k_min_own);
+    laws.push_back(law_of(k_sat[t].retention, smoothing_share * size[t], k_min));
+    eps.push_back(laws.back().eps);
+  }
+  const bool curves = std::ranges::any_of(laws, [](const RelativeConductivity& law)
+                                          { return law.curve.scale > 0; });
 
   // Step 2: the pressure.
   const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
-  FlowOperator flow(mesh, tensors, weight);
-  result.field = solve_by_strategies(flow, mesh, conditions, smoothing,
+  FlowOperator flow(mesh, tensors, weight, curves);
+  result.field = solve_by_strategies(flow, mesh, conditions, laws,
                                      {.height = height, .conductivity = k_mean}, coarser, observer);
   const std::vector<double>& p = result.field.p;
   check_finite(mesh, p);
 
   // Step 3: what is read off it.
   result.flux = flow.flux(p);
-  result.effective = effective(mesh, p, weight, smoothing, tensors);
+  result.effective = effective(mesh, p, weight, laws, tensors);
   result.phreatic_lines = zero_contours(mesh, p);
   result.exit_point = find_exit(mesh, conditions, result.field.entering, result.phreatic_lines);
-  result.eps = largest_around(mesh, smoothing.eps);
-  result.surface_eps = surface_eps(mesh, p, smoothing.eps);
+  result.eps = largest_around(mesh, eps);
+  result.surface_eps = surface_eps(mesh, p, eps);
   const GivenFlow given = given_flow(
       mesh, problem.boundary, boundary_flow(mesh, problem.boundary, conditions, result.field));
   result.indicator = error_indicator(mesh, result.flux, k_mean, given.given, given.flux);

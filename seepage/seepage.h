@@ -3,17 +3,20 @@
 
 #include "core/observer.h"
 #include "meshes/section.h"
+#include "seepage/retention.h"
 #include "seepage/solution.h"
 
 #include <vector>
 
 namespace berm::seepage
 {
-/// Saturated hydraulic conductivity: principal values along axes turned by `angle` from x.
+/// Hydraulic conductivity: principal values in wet soil, along axes turned by `angle` from x, and
+/// how it falls with suction.
 struct Conductivity
 {
   double kx = 0, ky = 0; ///< [m/s], > 0
   double angle = 0;      ///< [rad], counter-clockwise
+  Retention retention{};
 };
 
 enum class BoundaryKind
@@ -49,11 +52,12 @@ struct Settings
                                                         const std::vector<Boundary>& marked);
 
 /// @brief Solve steady unconfined Darcy flow on the section.
-/// Saturated flow with a sharp free surface; docs/theory.md section 2. When adaptive, the triangles
-/// that the error comes from are cut, and the solve is repeated from the solution before, until the
-/// estimated errors are within the tolerances; if they are not with the most unknowns allowed, the
-/// observer is warned and the solution says so. A boundary of kind head acts as a potential seepage
-/// face above its level. MPI and PETSc start with the first solve and end with the process; the
+/// Saturated flow with a sharp free surface, or with a capillary fringe in soils that have a
+/// retention curve; docs/theory.md section 2. When adaptive, the triangles that the error comes
+/// from are cut, and the solve is repeated from the solution before, until the estimated errors are
+/// within the tolerances; if they are not with the most unknowns allowed, the observer is warned
+/// and the solution says so. A boundary of kind head acts as a potential seepage face above its
+/// level. MPI and PETSc start with the first solve and end with the process; the
 /// same input gives the same bits.
 /// @param[in] conductivity  One entry for each soil index that the section uses.
 /// @param[in] boundary      One entry for each stretch of the section.

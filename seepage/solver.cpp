@@ -178,7 +178,7 @@ using FieldPtr = std::shared_ptr<fem::Function<double>>;
 FieldPtr make_field(const char* name, const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
 {
   return std::make_shared<fem::Function<double>>(std::make_shared<fem::FunctionSpace>(
-      fem::create_functionspace(functionspace_form_flow_jacobian, name, mesh)));
+      fem::create_functionspace(functionspace_form_flow_curve_jacobian, name, mesh)));
 }
 } // namespace
 
@@ -190,7 +190,7 @@ struct FlowOperator::Impl
   std::vector<std::size_t> cell_of_triangle;
 
   std::shared_ptr<dolfinx::mesh::Mesh> mesh;
-  FieldPtr p, w, eps, k_min, k_sat;
+  FieldPtr p, w, eps, shift, k_min, k_sat, curve;
   std::unique_ptr<fem::Form<double>> residual, jacobian, flux;
   std::vector<double> flux_vector;
 
@@ -210,7 +210,7 @@ struct FlowOperator::Impl
 
 FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
                            std::span<const ConductivityTensor> conductivity,
-                           std::span<const double> weight)
+                           std::span<const double> weight, bool curves)
 {
   ensure_session();
   impl_ = std::make_unique<Impl>();
@@ -219,8 +219,10 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   s.p = make_field("p", s.mesh);
   s.w = make_field("w", s.mesh);
   s.eps = make_field("eps", s.mesh);
+  s.shift = make_field("shift", s.mesh);
   s.k_min = make_field("k_min", s.mesh);
   s.k_sat = make_field("k_sat", s.mesh);
+  s.curve = make_field("curve", s.mesh);
 
   // dolfinx renumbers cells, vertices and unknowns.
   const std::vector<std::int64_t>& node_of_vertex = s.mesh->geometry().input_global_indices();
@@ -251,21 +253,19 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
     k_sat[first + 1] = conductivity[t].xy;
     k_sat[first + 2] = conductivity[t].yy;
   }
-  std::ranges::fill(s.eps->x()->mutable_array(), 1.0);
-  std::ranges::fill(s.k_min->x()->mutable_array(), 1.0);
-
   const std::map<std::string, std::shared_ptr<const fem::Function<double>>> fields{
-      {"p", s.p}, {"w", s.w}, {"eps", s.eps}, {"k_min", s.k_min}, {"k_sat", s.k_sat}};
+      {"p", s.p},         {"w", s.w},         {"eps", s.eps},    {"shift", s.shift},
+      {"k_min", s.k_min}, {"k_sat", s.k_sat}, {"curve", s.curve}};
   const std::map<std::string, std::shared_ptr<const fem::Constant<double>>> constants;
   const std::shared_ptr<const fem::FunctionSpace> V = s.p->function_space();
   const auto fluxes = std::make_shared<const fem::FunctionSpace>(
       fem::create_functionspace(functionspace_form_flow_flux, "t", s.mesh));
-  s.residual = std::make_unique<fem::Form<double>>(
-      fem::create_form<double>(*form_flow_residual, {V}, fields, constants, {}));
-  s.jacobian = std::make_unique<fem::Form<double>>(
-      fem::create_form<double>(*form_flow_jacobian, {V, V}, fields, constants, {}));
-  s.flux = std::make_unique<fem::Form<double>>(
-      fem::create_form<double>(*form_flow_flux, {fluxes}, fields, constants, {}));
+  s.residual = std::make_unique<fem::Form<double>>(fem::create_form<double>(
+      curves ? *form_flow_curve_residual : *form_flow_residual, {V}, fields, constants, {}));
+  s.jacobian = std::make_unique<fem::Form<double>>(fem::create_form<double>(
+      curves ? *form_flow_curve_jacobian : *form_flow_jacobian, {V, V}, fields, constants, {}));
+  s.flux = std::make_unique<fem::Form<double>>(fem::create_form<double>(
+      curves ? *form_flow_curve_flux : *form_flow_flux, {fluxes}, fields, constants, {}));
 
   s.A = std::make_unique<la::petsc::Matrix>(fem::petsc::create_matrix(*s.jacobian), false);
   s.b = std::make_unique<la::petsc::Vector>(*V->dofmap()->index_map, 1);
@@ -273,19 +273,26 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   s.dof_vector.resize(mesh.nodes.size());
   s.fixed.resize(mesh.nodes.size());
   s.flux_vector.resize(2 * mesh.triangles.size());
+  set_relative_conductivity(std::vector<RelativeConductivity>(mesh.triangles.size()));
 }
 
 FlowOperator::~FlowOperator() = default;
 
-void FlowOperator::set_relative_conductivity(std::span<const double> eps,
-                                             std::span<const double> k_min)
+void FlowOperator::set_relative_conductivity(std::span<const RelativeConductivity> laws)
 {
-  const std::span<double> eps_values = impl_->eps->x()->mutable_array();
-  const std::span<double> k_min_values = impl_->k_min->x()->mutable_array();
-  for (std::size_t t = 0; t < eps.size(); ++t)
+  const std::span<double> eps = impl_->eps->x()->mutable_array(),
+                          shift = impl_->shift->x()->mutable_array(),
+                          k_min = impl_->k_min->x()->mutable_array(),
+                          curve = impl_->curve->x()->mutable_array();
+  for (std::size_t t = 0; t < laws.size(); ++t)
   {
-    eps_values[impl_->cell_of_triangle[t]] = eps[t];
-    k_min_values[impl_->cell_of_triangle[t]] = k_min[t];
+    const std::size_t cell = impl_->cell_of_triangle[t];
+    const VanGenuchtenCurve& c = laws[t].curve;
+    eps[cell] = laws[t].eps;
+    shift[cell] = laws[t].shift();
+    k_min[cell] = laws[t].k_min;
+    std::ranges::copy(std::array{c.n, c.l, c.entry, c.scale},
+                      curve.begin() + static_cast<std::ptrdiff_t>(4 * cell));
   }
 }
 

@@ -37,7 +37,7 @@ Start full_of_water(const meshes::TriangleMesh& mesh, const NodeConditions& cond
 }
 
 /// The coarser field for the final smoothing.
-Start rescaled(const meshes::TriangleMesh& mesh, const Smoothing& smoothing,
+Start rescaled(const meshes::TriangleMesh& mesh, std::span<const RelativeConductivity> laws,
                const CoarserField& coarser)
 {
   std::vector<double> eps(coarser.p.size(), 0), k_min(coarser.p.size(), 0);
@@ -45,8 +45,8 @@ Start rescaled(const meshes::TriangleMesh& mesh, const Smoothing& smoothing,
     for (const Index node : mesh.triangles[t])
     {
       const auto i = static_cast<std::size_t>(node);
-      eps[i] = std::max(eps[i], smoothing.eps[t]);
-      k_min[i] = std::max(k_min[i], smoothing.k_min[t]);
+      eps[i] = std::max(eps[i], laws[t].eps);
+      k_min[i] = std::max(k_min[i], laws[t].k_min);
     }
   Start start{.p = coarser.p, .smoothing = 0};
   for (std::size_t i = 0; i < start.p.size(); ++i)
@@ -73,16 +73,15 @@ double rescaled_pressure(double p, double eps_before, double eps, double k_min)
 }
 
 Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
-                          const NodeConditions& conditions, const Smoothing& smoothing,
-                          const Scales& scales, const std::optional<CoarserField>& coarser,
-                          Observer& observer)
+                          const NodeConditions& conditions,
+                          std::span<const RelativeConductivity> laws, const Scales& scales,
+                          const std::optional<CoarserField>& coarser, Observer& observer)
 {
   std::vector<Strategy> strategies;
   if (coarser)
   {
     strategies.push_back({"coarser mesh", [&] { return Start{.p = coarser->p, .smoothing = 0}; }});
-    strategies.push_back(
-        {"coarser mesh rescaled", [&] { return rescaled(mesh, smoothing, *coarser); }});
+    strategies.push_back({"coarser mesh rescaled", [&] { return rescaled(mesh, laws, *coarser); }});
     strategies.push_back({"coarser mesh in steps", [&]
                           { return Start{.p = coarser->p, .smoothing = coarser->largest_eps}; }});
   }
@@ -93,7 +92,7 @@ Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
   for (std::size_t k = 0;; ++k)
     try
     {
-      Field field = solve_field(flow, mesh, conditions, smoothing, scales, strategies[k].start(),
+      Field field = solve_field(flow, mesh, conditions, laws, scales, strategies[k].start(),
                                 history, observer);
       field.history.strategy = strategies[k].name;
       return field;

@@ -33,7 +33,8 @@ struct CoarserField
 /// @throws NotConverged with the history of the last if none does, or if the observer asks to stop.
 [[nodiscard]] Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                                         const NodeConditions& conditions,
-                                        const Smoothing& smoothing, const Scales& scales,
+                                        std::span<const RelativeConductivity> laws,
+                                        const Scales& scales,
                                         const std::optional<CoarserField>& coarser,
                                         Observer& observer);
 } // namespace berm::seepage

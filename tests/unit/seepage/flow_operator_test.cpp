@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -37,7 +38,7 @@ struct Problem
 void set(FlowOperator& flow, const Problem& problem, double eps, double k_min)
 {
   const std::size_t m = problem.mesh.triangles.size();
-  flow.set_relative_conductivity(std::vector(m, eps), std::vector(m, k_min));
+  flow.set_relative_conductivity(std::vector(m, law_of({}, eps, k_min)));
 }
 
 TEST(FlowOperator, FluxOfALinearHeadIsDarcysInTheOrderOfTheInput)
@@ -108,13 +109,40 @@ TEST(FlowOperator, ResidualOfAWetFieldIsThatOfLinearElements)
   EXPECT_NEAR(std::accumulate(residual.begin(), residual.end(), 0.0), 0, 1e-12);
 }
 
-TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfTheResidual)
+/// The sharp law, Gardner's and van Genuchten's, triangle by triangle.
+std::vector<RelativeConductivity> mixed_laws(const Problem& problem)
 {
-  Problem problem;
-  for (std::size_t i = 0; i < problem.weight.size(); ++i) // weights between 0 and 1
-    problem.weight[i] = 0.5 + 0.5 * std::sin(static_cast<double>(i));
-  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight);
-  set(flow, problem, 0.4, 1e-3);
+  const std::array<Retention, 4> soils{Retention{},
+                                       {RetentionModel::gardner, 2, 0, 0, 0},
+                                       {RetentionModel::van_genuchten, 3, 1.3, 0.5, 0.02},
+                                       {RetentionModel::van_genuchten, 2, 3, -0.5, 0}};
+  std::vector<RelativeConductivity> laws;
+  for (std::size_t t = 0; t < problem.mesh.triangles.size(); ++t)
+    laws.push_back(law_of(soils[t % 4], 0.4, 1e-3));
+  return laws;
+}
+
+TEST(FlowOperator, FluxOfAUniformSuctionIsThatOfEachTrianglesLaw)
+{
+  const Problem problem;
+  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, true);
+  const std::vector<RelativeConductivity> laws = mixed_laws(problem);
+  flow.set_relative_conductivity(laws);
+  for (const double p : {-40.0, -0.7, -0.01, 0.2, 1.0})
+  {
+    const std::vector<Vec2> flux =
+        flow.flux(std::vector<double>(problem.mesh.nodes.size(), p)); // head gradient (0, 1)
+    for (std::size_t t = 0; t < flux.size(); ++t)
+    {
+      const double k_r = relative_conductivity(laws[t], p, 1);
+      EXPECT_NEAR(flux[t].y(), -k_r * problem.k_sat[t].yy, 1e-13) << t << " " << p;
+    }
+  }
+}
+
+/// Expect that `flow.correction` solves with a central difference of `flow.residual`.
+void expect_derivative(FlowOperator& flow, const Problem& problem)
+{
   std::vector<double> p, right_side;
   std::vector<std::uint8_t> fixed;
   for (const Vec2& x : problem.mesh.nodes) // dry, in between and wet
@@ -142,14 +170,38 @@ TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfTheResidual)
       EXPECT_NEAR((f_plus[i] - f_minus[i]) / (2 * step), right_side[i], 1e-6);
 }
 
+/// Weights between 0 and 1.
+Problem weighted_problem()
+{
+  Problem problem;
+  for (std::size_t i = 0; i < problem.weight.size(); ++i)
+    problem.weight[i] = 0.5 + 0.5 * std::sin(static_cast<double>(i));
+  return problem;
+}
+
+TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfTheResidual)
+{
+  const Problem problem = weighted_problem();
+  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight);
+  set(flow, problem, 0.4, 1e-3);
+  expect_derivative(flow, problem);
+}
+
+TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfSoilsWithCurves)
+{
+  const Problem problem = weighted_problem();
+  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, true);
+  flow.set_relative_conductivity(mixed_laws(problem));
+  expect_derivative(flow, problem);
+}
+
 TEST(FlowOperator, SolvesLargeSystemsIteratively)
 {
   // 51 000 unknowns, beyond what LU is used for; wet, so that the system is Laplace's.
   const meshes::TriangleMesh mesh = tests::rectangle_mesh(2, 1, 318, 159);
   FlowOperator flow(mesh, std::vector(mesh.triangles.size(), ConductivityTensor{1, 0, 1}),
                     std::vector(mesh.nodes.size(), 1.0));
-  flow.set_relative_conductivity(std::vector(mesh.triangles.size(), 0.1),
-                                 std::vector(mesh.triangles.size(), 1e-3));
+  flow.set_relative_conductivity(std::vector(mesh.triangles.size(), law_of({}, 0.1, 1e-3)));
   std::vector<double> p, residual, d;
   std::vector<std::uint8_t> fixed;
   for (const Vec2& x : mesh.nodes)
