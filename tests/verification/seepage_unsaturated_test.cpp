@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Soils with a retention curve, against closed forms, quadrature and published discharges:
 // docs/verification.md S-10.
-#include "meshes/planar.h"
 #include "seepage/flow_operator.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace berm
