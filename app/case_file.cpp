@@ -168,11 +168,11 @@ private:
     };
     const bool has_curve = retention.model == van_genuchten;
     belongs("alpha_1_m", retention.model != sharp, true);
-    belongs("n", has_curve, true);
+    belongs("van_genuchten_n", has_curve, true);
     belongs("mualem_l", has_curve, false);
     belongs("air_entry_m", has_curve, false);
     retention.alpha = number(at + "alpha_1_m", 0);
-    retention.n = number(at + "n", 0);
+    retention.n = number(at + "van_genuchten_n", 0);
     retention.l = number(at + "mualem_l", retention.l);
     retention.air_entry = number(at + "air_entry_m", retention.n < bounded_from ? air_entry : 0);
     return retention;

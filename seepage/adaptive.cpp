@@ -22,7 +22,7 @@ namespace
 /// Of the indicators' sum over the dissipated energy: what a solution is off by at least,
 /// docs/theory.md eq. (2.19).
 constexpr double least_error_share = 0.1;
-constexpr double phreatic_tolerance_share = 1e-3; ///< of the height of the water, by default
+constexpr double phreatic_tolerance_share = 2.5e-3; ///< of the height of the water, by default
 
 /// Largest distance of a point of the lines from the other lines [m]; 0 if there are none.
 double distance_between(const std::vector<Polyline>& lines, const std::vector<Polyline>& others)

@@ -207,13 +207,16 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   }
   const double k_low = std::ranges::min(k_mean);
   const std::vector<double> size = element_sizes(mesh);
-  std::vector<RelativeConductivity> laws;
+  std::vector<RelativeConductivity> law_of_soil, laws;
   std::vector<double> eps;
+  for (const Conductivity& k : problem.conductivity)
+    law_of_soil.push_back(law_of(k.retention));
   for (std::size_t t = 0; t < k_sat.size(); ++t)
   {
     const double k_min = // docs/theory.md eq. (2.10)
         std::clamp(k_min_lowest * k_low / k_mean[t], k_min_floor, k_min_own);
-    laws.push_back(law_of(k_sat[t].retention, smoothing_share * size[t], k_min));
+    laws.push_back(on_mesh(law_of_soil[static_cast<std::size_t>(mesh.triangle_soil[t])],
+                           smoothing_share * size[t], k_min));
     eps.push_back(laws.back().eps);
   }
   const bool curves = std::ranges::any_of(laws, [](const RelativeConductivity& law)

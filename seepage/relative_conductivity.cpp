@@ -8,6 +8,8 @@ namespace berm::seepage
 {
 namespace
 {
+/// Above n = 3 van Genuchten's k_r falls by up to n / 3 over 1 / alpha, at once as n grows.
+constexpr double steepest_at = 3;
 constexpr double largest_drying = 2; ///< of a node in one step, over eps
 /// alpha times suction at both ends of the curve: powers of it neither vanish nor overflow.
 constexpr double least_suction = 1e-5, largest_suction = 1e5;
@@ -100,14 +102,15 @@ double wetted_along_curve(const RelativeConductivity& law, double p, double corr
 
 double RelativeConductivity::shift() const
 {
-  return std::max(tau * eps - fringe, 0.0);
+  return tau * eps - fringe;
 }
 
-RelativeConductivity law_of(const Retention& retention, double resolved, double k_min)
+RelativeConductivity law_of(const Retention& retention)
 {
-  RelativeConductivity law{.eps = resolved, .k_min = k_min, .fringe = 0, .tau = 1, .curve = {}};
+  RelativeConductivity law{.eps = 0, .k_min = 0, .fringe = 0, .tau = 1, .curve = {}};
   if (retention.model == RetentionModel::sharp)
     return law;
+  law.eps = 1 / retention.alpha;
   if (retention.model == RetentionModel::van_genuchten)
   {
     law.curve = {.n = retention.n,
@@ -117,8 +120,21 @@ RelativeConductivity law_of(const Retention& retention, double resolved, double 
     law.curve.scale = 1 / van_genuchten(law.curve, law.curve.entry);
     law.tau = integral(law);
   }
-  law.eps = std::max(resolved, 1 / retention.alpha);
-  law.fringe = law.tau * (1 / retention.alpha);
+  law.fringe = law.tau * law.eps;
+  return law;
+}
+
+RelativeConductivity on_mesh(RelativeConductivity law, double resolved, double k_min)
+{
+  law.k_min = k_min;
+  const VanGenuchtenCurve& curve = law.curve;
+  const bool shown = // docs/theory.md eq. (2.44)
+      resolved * std::max(1.0, curve.n / steepest_at) <= law.eps * std::max(1.0, curve.entry);
+  if (shown)
+    return law;
+  law.curve = {};
+  law.tau = 1;
+  law.eps = resolved;
   return law;
 }
 

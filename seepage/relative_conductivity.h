@@ -27,15 +27,20 @@ struct RelativeConductivity
   double tau = 1;    ///< integral of f over u < 0 [-]
   VanGenuchtenCurve curve;
 
-  /// @brief The pressure head up to which k_r falls, so that the fringe conducts T whatever eps is
-  /// [m]; docs/theory.md eq. (2.41).
+  /// @brief The pressure head where k_r begins to fall, such that the fringe conducts T whatever
+  /// eps is [m]; docs/theory.md eq. (2.41).
   [[nodiscard]] double shift() const;
 };
 
-/// @brief The law on a triangle that shows nothing shorter than `resolved`.
-/// @param[in] resolved  Least eps [m], > 0.
-[[nodiscard]] RelativeConductivity law_of(const Retention& retention, double resolved,
-                                          double k_min);
+/// @brief The law of a soil, without a floor; eps = 0 if sharp. docs/theory.md eq. (2.41) to
+/// (2.43).
+[[nodiscard]] RelativeConductivity law_of(const Retention& retention);
+
+/// @brief The law of a soil on a triangle that shows nothing shorter than `resolved`. Where that is
+/// longer than the soil's curve, an exponential takes its place that conducts the same in the
+/// fringe; docs/theory.md eq. (2.42), (2.44).
+/// @param[in] resolved  [m], > 0.
+[[nodiscard]] RelativeConductivity on_mesh(RelativeConductivity law, double resolved, double k_min);
 
 /// @brief k_r. The forms of forms/flow.py use the same.
 /// @param[in] p  Pressure head [m].

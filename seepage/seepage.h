@@ -38,11 +38,10 @@ struct Settings
   /// Edge length of the first mesh [m]. 0: a 20th of the section's smaller extent or a 12th of the
   /// drop of the water, whichever is less, but not so small that it exceeds 10 000 triangles.
   double element_size = 0;
-  bool adaptive = true;    ///< refine until the tolerances are met; else one mesh
-  double tolerance = 5e-4; ///< of the discharge, relative [-]
-  double phreatic_tolerance =
-      0; ///< of the phreatic line [m]; 0: a thousandth of the water's height
-  Index most_unknowns = 200'000; ///< a mesh with as many nodes is not refined
+  bool adaptive = true;          ///< refine until the tolerances are met; else one mesh
+  double tolerance = 5e-4;       ///< of the discharge, relative [-]
+  double phreatic_tolerance = 0; ///< of the phreatic line [m]; 0: a 400th of the water's height
+  Index most_unknowns = 100'000; ///< a mesh with as many nodes is not refined
 };
 
 /// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage

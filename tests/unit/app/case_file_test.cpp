@@ -87,6 +87,55 @@ TEST(CaseFile, TakesSoilsInTheFilesOrder)
   EXPECT_EQ(result.input.section.zones.at(0).soil, 1);
 }
 
+TEST(CaseFile, TakesTheRetentionCurveOfASoil)
+{
+  const std::string conductive =
+      replaced(sound_case, "poisson_ratio", "conductivity_m_s = 1e-6\npoisson_ratio");
+  const auto retention = [&](std::vector<std::string> overrides)
+  {
+    for (std::string& o : overrides)
+      o = "soil.fill.retention." + o;
+    const ReadResult result = read_text(conductive, {.overrides = overrides});
+    EXPECT_TRUE(result.mistakes.empty()) << result.text();
+    return result.input.soils.at(0).conductivity.value().retention;
+  };
+  EXPECT_EQ(retention({}).model, seepage::RetentionModel::sharp);
+  const seepage::Retention g = retention({"model=gardner", "alpha_1_m=2.5"});
+  EXPECT_EQ(g.model, seepage::RetentionModel::gardner);
+  EXPECT_EQ(g.alpha, 2.5);
+  const seepage::Retention v =
+      retention({"model=van_genuchten", "alpha_1_m=3", "van_genuchten_n=1.5"});
+  EXPECT_EQ(v.model, seepage::RetentionModel::van_genuchten);
+  EXPECT_EQ(v.n, 1.5);
+  EXPECT_EQ(v.l, 0.5);
+  EXPECT_EQ(v.air_entry, 0.02); // the slope of k_r at p = 0 has no bound without
+  EXPECT_EQ(retention({"model=van_genuchten", "alpha_1_m=3", "van_genuchten_n=2"}).air_entry, 0);
+  const seepage::Retention all = retention({"model=van_genuchten", "alpha_1_m=3",
+                                            "van_genuchten_n=2", "mualem_l=-1", "air_entry_m=0.3"});
+  EXPECT_EQ(all.l, -1);
+  EXPECT_EQ(all.air_entry, 0.3);
+}
+
+TEST(CaseFile, ARetentionCurveHasTheKeysOfItsModel)
+{
+  const std::string at = "soil.fill.retention.";
+  const auto mistakes = [&](const std::vector<std::string>& overrides)
+  {
+    std::vector<std::string> full;
+    for (const std::string& o : overrides)
+      full.push_back(at + o);
+    return read_set(full);
+  };
+  EXPECT_NE(mistakes({"model=gardner"}).about(at + "alpha_1_m"), nullptr);
+  EXPECT_NE(mistakes({"model=van_genuchten", "alpha_1_m=1"}).about(at + "van_genuchten_n"),
+            nullptr);
+  EXPECT_NE(mistakes({"alpha_1_m=1"}).about(at + "alpha_1_m"), nullptr); // sharp
+  for (const char* key : {"van_genuchten_n", "mualem_l", "air_entry_m"})
+    EXPECT_NE(mistakes({"model=gardner", "alpha_1_m=1", std::string(key) + "=1"}).about(at + key),
+              nullptr)
+        << key;
+}
+
 TEST(CaseFile, ReportsEveryMistakeAtOnce)
 {
   std::string text = replaced(sound_case, "friction_angle_deg = 30", "friction_angle_deg = 95");

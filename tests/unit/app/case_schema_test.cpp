@@ -35,7 +35,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"soil.*.conductivity_angle_deg", "10"},
     {"soil.*.retention.model", "\"van_genuchten\""},
     {"soil.*.retention.alpha_1_m", "2"},
-    {"soil.*.retention.n", "1.5"},
+    {"soil.*.retention.van_genuchten_n", "1.5"},
     {"soil.*.retention.mualem_l", "0.5"},
     {"soil.*.retention.air_entry_m", "0.05"},
     {"water.pore_pressure", "\"hydrostatic\""},

@@ -38,7 +38,7 @@ struct Problem
 void set(FlowOperator& flow, const Problem& problem, double eps, double k_min)
 {
   const std::size_t m = problem.mesh.triangles.size();
-  flow.set_relative_conductivity(std::vector(m, law_of({}, eps, k_min)));
+  flow.set_relative_conductivity(std::vector(m, on_mesh(law_of({}), eps, k_min)));
 }
 
 TEST(FlowOperator, FluxOfALinearHeadIsDarcysInTheOrderOfTheInput)
@@ -114,11 +114,11 @@ std::vector<RelativeConductivity> mixed_laws(const Problem& problem)
 {
   const std::array<Retention, 4> soils{Retention{},
                                        {RetentionModel::gardner, 2, 0, 0, 0},
-                                       {RetentionModel::van_genuchten, 3, 1.3, 0.5, 0.02},
-                                       {RetentionModel::van_genuchten, 2, 3, -0.5, 0}};
+                                       {RetentionModel::van_genuchten, 1.5, 1.3, 0.5, 0.02},
+                                       {RetentionModel::van_genuchten, 1, 3, -0.5, 0}};
   std::vector<RelativeConductivity> laws;
   for (std::size_t t = 0; t < problem.mesh.triangles.size(); ++t)
-    laws.push_back(law_of(soils[t % 4], 0.4, 1e-3));
+    laws.push_back(on_mesh(law_of(soils[t % 4]), 0.4, 1e-3));
   return laws;
 }
 
@@ -201,7 +201,8 @@ TEST(FlowOperator, SolvesLargeSystemsIteratively)
   const meshes::TriangleMesh mesh = tests::rectangle_mesh(2, 1, 318, 159);
   FlowOperator flow(mesh, std::vector(mesh.triangles.size(), ConductivityTensor{1, 0, 1}),
                     std::vector(mesh.nodes.size(), 1.0));
-  flow.set_relative_conductivity(std::vector(mesh.triangles.size(), law_of({}, 0.1, 1e-3)));
+  flow.set_relative_conductivity(
+      std::vector(mesh.triangles.size(), on_mesh(law_of({}), 0.1, 1e-3)));
   std::vector<double> p, residual, d;
   std::vector<std::uint8_t> fixed;
   for (const Vec2& x : mesh.nodes)

@@ -48,14 +48,13 @@ struct Dam
   meshes::TriangleMesh mesh;
   NodeConditions conditions;
   std::vector<double> k;
-  Smoothing smoothing;
+  std::vector<RelativeConductivity> laws;
   FlowOperator flow;
 
   Dam()
       : mesh(tests::rectangle_mesh(section(), 32, 16)),
-        conditions(node_conditions(mesh, boundary())),
-        k(mesh.triangles.size(), 1), smoothing{std::vector(mesh.triangles.size(), 0.1),
-                                               std::vector(mesh.triangles.size(), 1e-5)},
+        conditions(node_conditions(mesh, boundary())), k(mesh.triangles.size(), 1),
+        laws(mesh.triangles.size(), RelativeConductivity{.eps = 0.1, .k_min = 1e-5}),
         flow(mesh, std::vector(mesh.triangles.size(), ConductivityTensor{1, 0, 1}),
              face_weight(mesh, conditions.face_edges))
   {
@@ -71,7 +70,7 @@ struct Dam
 
   Field solve(const std::optional<CoarserField>& coarser, Observer& observer)
   {
-    return solve_by_strategies(flow, mesh, conditions, smoothing, {.height = 3, .conductivity = k},
+    return solve_by_strategies(flow, mesh, conditions, laws, {.height = 3, .conductivity = k},
                                coarser, observer);
   }
 };
