@@ -94,6 +94,24 @@ void add_phreatic_line(Page& page, const seepage::Solution& solution)
   page.row("", y_row);
 }
 
+/// Steps of all meshes, and from where those were solved that were not by the first strategy.
+void add_meshes(Page& page, const seepage::Solution& s)
+{
+  int steps = 0;
+  std::string others;
+  for (std::size_t k = 0; k < s.history.size(); ++k)
+  {
+    const seepage::SolveHistory& h = s.history[k];
+    steps += h.newton_steps;
+    if (h.strategy != (k == 0 ? "full section" : "coarser mesh"))
+      others += fmt::format("; mesh {} from the {}", k + 1, h.strategy);
+  }
+  page.row("mesh",
+           fmt::format("{} nodes, {} triangles; {} Newton steps on {} {}{}", s.mesh.nodes.size(),
+                       s.mesh.triangles.size(), steps, s.history.size(),
+                       s.history.size() == 1 ? "mesh" : "meshes", others));
+}
+
 void add_seepage(Page& page, const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const seepage::Solution& s = *analysis.seepage;
@@ -111,19 +129,7 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   for (const Probe& p : probes(input, analysis))
     page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",
                                   point_text(p.at), p.head, p.pore_pressure / 1e3));
-  int steps = 0;
-  std::string others; // on the first mesh "full section" is the first strategy
-  for (std::size_t k = 0; k < s.history.size(); ++k)
-  {
-    const seepage::SolveHistory& h = s.history[k];
-    steps += h.newton_steps;
-    if (h.strategy != (k == 0 ? "full section" : "coarser mesh"))
-      others += fmt::format("; mesh {} from the {}", k + 1, h.strategy);
-  }
-  page.row("mesh",
-           fmt::format("{} nodes, {} triangles; {} Newton steps on {} {}{}", s.mesh.nodes.size(),
-                       s.mesh.triangles.size(), steps, s.history.size(),
-                       s.history.size() == 1 ? "mesh" : "meshes", others));
+  add_meshes(page, s);
 }
 
 void add_mechanism(Page& page, const std::optional<sph::Mechanism>& mechanism)

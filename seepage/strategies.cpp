@@ -2,12 +2,10 @@
 #include "seepage/strategies.h"
 
 #include "core/error.h"
-#include "meshes/planar.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string>

@@ -71,7 +71,7 @@ Range allowed_heads(const Solved& solved, const NodeConditions& conditions)
   return range;
 }
 
-void expect_sound(const Solved& solved, double out_of_bounds)
+void expect_sound(const HardSeepage& hard, const Solved& solved, double out_of_bounds)
 {
   const Solution& s = solved.solution;
   for (const std::span<const double> field :
@@ -85,15 +85,20 @@ void expect_sound(const Solved& solved, double out_of_bounds)
   const NodeConditions conditions = seepage::node_conditions(s.mesh, solved.boundary);
   const Range allowed = allowed_heads(solved, conditions);
   Range head, y;
+  double k = 0;
+  for (const seepage::Conductivity& soil : hard.conductivity)
+    k = std::max({k, soil.kx, soil.ky});
+  for (const Vec2& node : s.mesh.nodes)
+    y.include(node.y());
+  // Outflow below rounding keeps its node (seepage/newton.cpp): none that counts enters.
+  const double no_inflow = s.inflow > 0 ? 1e-8 * s.inflow : 1e-12 * k * (y.high - y.low);
   for (std::size_t i = 0; i < s.head.size(); ++i)
   {
     head.include(s.head[i]);
-    y.include(s.mesh.nodes[i].y());
     if (conditions.kind[i] == NodeKind::face)
     {
       EXPECT_LE(s.pore_pressure[i], 0) << s.mesh.nodes[i].transpose();
-      // Outflow below rounding keeps its node (seepage/newton.cpp): none that counts enters.
-      EXPECT_LE(s.reaction[i], 1e-8 * s.inflow) << s.mesh.nodes[i].transpose();
+      EXPECT_LE(s.reaction[i], no_inflow) << s.mesh.nodes[i].transpose();
     }
   }
   // Where only rounding is left of the range, a linear solve leaves that of the heads.
@@ -121,7 +126,7 @@ TEST_P(HardSeepageSlow, ConvergesToASoundFieldOrSaysWhyNot)
     return;
   }
   ASSERT_TRUE(hard.refused.empty()) << "there is no answer, but one was given";
-  expect_sound(solved, hard.out_of_bounds);
+  expect_sound(hard, solved, hard.out_of_bounds);
   if (hard.discharge)
   {
     EXPECT_NEAR(solved.solution.discharge, hard.discharge->value,
@@ -144,7 +149,7 @@ TEST(HardSeepageLevelsSlow, WaterAHairBelowABermSeepsAsAtItAHairAboveAsWellAbove
   // Up to the berm's edge, and over its whole width: 4 m less to go. Meshes differ: 0.5 %.
   const double at = discharge_at_level(5), above = discharge_at_level(5 + 1e-3);
   EXPECT_NEAR(discharge_at_level(5 - 1e-5), at, 5e-3 * at);
-  EXPECT_EQ(discharge_at_level(5 + 1e-9), discharge_at_level(5 + 1e-10)); // both are at it
+  EXPECT_NEAR(discharge_at_level(5 + 1e-9), at, 5e-3 * at); // less than levels are told apart
   EXPECT_NEAR(discharge_at_level(5 + 1e-7), above, 5e-3 * above);
   EXPECT_GT(above, 1.02 * at);
 }
@@ -179,7 +184,7 @@ TEST(HardSeepageAnisotropySlow, DISABLED_KeepsTheMaximumPrincipleAndTheDischarge
     if (hard.name == "Wide1e4" || hard.name == "Tall1e4")
     {
       const Solved solved = solve(hard);
-      expect_sound(solved, 1e-7);
+      expect_sound(hard, solved, 1e-7);
       EXPECT_NEAR(solved.solution.discharge, hard.discharge->value, 2e-3 * hard.discharge->value);
     }
 }
