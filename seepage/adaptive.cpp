@@ -163,8 +163,7 @@ BoundaryFlow boundary_flow(const meshes::TriangleMesh& mesh, const std::vector<B
   const auto fixed = [&](std::size_t i)
   { return conditions.kind[i] == NodeKind::head || field.active[i]; };
   for (std::size_t i = 0; i < n; ++i)
-    if (fixed(i))
-      flow.reaction[i] = field.entering[i];
+    flow.reaction[i] = fixed(i) ? field.entering[i] : conditions.rain[i];
   for (std::size_t e = 0; e < edges; ++e)
   {
     const Boundary& condition = boundary[static_cast<std::size_t>(mesh.boundary_stretch[e])];
@@ -172,9 +171,7 @@ BoundaryFlow boundary_flow(const meshes::TriangleMesh& mesh, const std::vector<B
                j = static_cast<std::size_t>(mesh.boundary[e][1]);
     if (condition.kind == BoundaryKind::inflow)
       flow.edge_inflow[e] = condition.value * (mesh.nodes[j] - mesh.nodes[i]).norm();
-    flow.head_known[e] =
-        (condition.kind == BoundaryKind::head || condition.kind == BoundaryKind::seepage_face) &&
-        fixed(i) && fixed(j);
+    flow.head_known[e] = may_hold_pressure(condition.kind) && fixed(i) && fixed(j);
   }
   return flow;
 }
@@ -186,6 +183,9 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
 {
   const Stopwatch watch;
   const NodeConditions conditions = node_conditions(mesh, boundary);
+  if (!coarser)
+    for (const std::string& text : conditions.warnings)
+      observer.warn(text);
   double height = 0;
   for (const Vec2& x : mesh.nodes)
     height = std::max(height, conditions.highest_head - x.y());
@@ -195,17 +195,19 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
   Smoothing smoothing{.eps = element_sizes(mesh), .k_min = {}};
   for (double& eps : smoothing.eps)
     eps *= smoothing_share;
-  std::vector<double> k_mean;
+  std::vector<double> k_mean, k_vertical;
   for (const Conductivity& k : k_sat)
   {
     tensors.push_back(tensor(k));
     k_mean.push_back(mean(k));
+    k_vertical.push_back(tensors.back().yy);
   }
   const double k_low = std::ranges::min(k_mean);
   for (const double k : k_mean) // docs/theory.md eq. (2.10)
     smoothing.k_min.push_back(std::clamp(k_min_lowest * k_low / k, k_min_floor, k_min_own));
 
-  const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
+  std::vector<double> weight = face_weight(mesh, conditions.face_edges);
+  limit_weight(mesh, k_vertical, conditions.heaviest_rain, weight);
   FlowOperator flow(mesh, tensors, weight);
   const auto solve_with = [&](Start start)
   {
@@ -241,7 +243,11 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
   solution.outflow = field.outflow;
   solution.balance = field.inflow > 0 ? std::abs(field.inflow - field.outflow) / field.inflow : 0;
   const BoundaryFlow at_boundary = boundary_flow(mesh, boundary, conditions, field);
-  solution.stretch_inflow = stretch_inflow(mesh, boundary, conditions, at_boundary.reaction);
+  StretchWater water = stretch_water(mesh, boundary, conditions, at_boundary.reaction);
+  solution.stretch_inflow = std::move(water.inflow);
+  solution.stretch_runoff = std::move(water.runoff);
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    solution.rain += conditions.rain[i];
   solution.stream_function.assign(mesh.nodes.size(), 0);
   if (field.inflow > 0)
     solution.stream_function =
@@ -259,7 +265,21 @@ Solution solve_from(const Solution* coarser, meshes::TriangleMesh mesh,
 // Where and how fine
 //------------------------------------------------------------------------------------------------
 
-/// The outline with a vertex wherever it crosses the head level of its own stretch.
+/// The line with a point where it crosses a level.
+Polyline with_level(const Polyline& line, double level, double tolerance)
+{
+  Polyline result{line.front()};
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    const Vec2 &a = line[k - 1], &b = line[k];
+    if (std::min(a.y(), b.y()) < level - tolerance && std::max(a.y(), b.y()) > level + tolerance)
+      result.emplace_back(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()), level);
+    result.push_back(b);
+  }
+  return result;
+}
+
+/// The outline and inner lines with a vertex wherever they cross the head level of their stretch.
 meshes::Section with_head_levels(const meshes::Section& section,
                                  const std::vector<Boundary>& boundary)
 {
@@ -285,6 +305,10 @@ meshes::Section with_head_levels(const meshes::Section& section,
       result.edge_stretch.push_back(stretch);
     }
   }
+  for (meshes::InnerLine& line : result.inner_lines)
+    if (const Boundary& condition = boundary[static_cast<std::size_t>(line.stretch)];
+        condition.kind == BoundaryKind::head)
+      line.points = with_level(line.points, condition.value, tolerance);
   return result;
 }
 
@@ -292,18 +316,22 @@ meshes::Section with_head_levels(const meshes::Section& section,
 double default_element_size(const meshes::Section& section, const std::vector<Boundary>& boundary)
 {
   double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-  for (std::size_t k = 0; k < section.outline.size(); ++k)
+  const auto see = [&](const Boundary& condition, const Vec2& a, const Vec2& b)
   {
-    const Boundary& condition = boundary[static_cast<std::size_t>(section.edge_stretch[k])];
     if (condition.kind == BoundaryKind::head)
     {
       highest = std::max(highest, condition.value);
       lowest = std::min(lowest, condition.value);
     }
-    if (condition.kind == BoundaryKind::seepage_face)
-      lowest = std::min({lowest, section.outline[k].y(),
-                         section.outline[meshes::next(k, section.outline.size())].y()});
-  }
+    else if (may_hold_pressure(condition.kind))
+      lowest = std::min({lowest, a.y(), b.y()});
+  };
+  for (std::size_t k = 0; k < section.outline.size(); ++k)
+    see(boundary[static_cast<std::size_t>(section.edge_stretch[k])], section.outline[k],
+        section.outline[meshes::next(k, section.outline.size())]);
+  for (const meshes::InnerLine& line : section.inner_lines)
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      see(boundary[static_cast<std::size_t>(line.stretch)], line.points[k - 1], line.points[k]);
   const double by_height = (section.y_max - section.y_min) / elements_over_height;
   const double by_drop = highest > lowest ? (highest - lowest) / elements_over_drop : by_height;
   const double by_area = std::sqrt(meshes::polygon_area(section.outline) / largest_default_mesh);
