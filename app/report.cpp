@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace berm::app
 {
@@ -103,6 +104,12 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   if (const auto q_over_k = discharge_over_k(input, analysis))
     q += fmt::format(", q/k = {:.4f} m", *q_over_k);
   page.row("discharge", q);
+  if (s.rain > 0)
+  {
+    const double runoff = std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0);
+    page.row("rain", fmt::format("{:.4g} m2/s, of which {:.4g} m2/s enters and {:.4g} m2/s runs off",
+                                 s.rain, s.rain - runoff, runoff));
+  }
   page.row("water balance",
            fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
   page.row("exit point",
@@ -381,6 +388,8 @@ std::string summary(const coupling::Case& input, const meshes::Section& section)
   if (input.run_out)
     stages += stages.empty() ? "run-out" : ", run-out";
   page.row("stages", stages);
+  for (const std::string& text : section.warnings)
+    page.row("warning", text);
   return page.text_;
 }
 } // namespace berm::app
