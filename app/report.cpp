@@ -113,7 +113,9 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   page.row("water balance",
            fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
   page.row("exit point",
-           s.exit_point ? point_text(*s.exit_point) : "none: the seepage face is dry");
+           s.exit_point     ? point_text(*s.exit_point)
+           : s.outflow > 0 ? "none: no free surface ends on a seepage face"
+                           : "none: the seepage face is dry");
   add_phreatic_line(page, s);
   for (const Probe& p : probes(input, analysis))
     page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",

@@ -128,8 +128,10 @@ void overtop(std::size_t side, Boundary& b, Flood& flood, Section& section)
   const Vec2 crest = *crest_of(ground, flood.tolerance);
   section.overflow = Overflow{crest, level - crest.y()};
   const Polyline way = run_off_way(ground, *section.overflow, flood.tolerance);
-  const std::optional<double>& far_level = flood.levels[1 - side];
-  const Vec2 end = far_level ? end_of_overflow(way, *section.overflow, *far_level) : way.back();
+  const bool far_pool = flood.pools[1 - side].reach != Reach::absent;
+  const Vec2 end = far_pool
+                       ? end_of_overflow(way, *section.overflow, flood.levels[1 - side].value())
+                       : way.back();
   for (const Vec2& p : way) // keeps the bend at the foot of the falling water
     b.vertex_at(p, flood.tolerance);
   flood.pools[side] = {Reach::partial, crest};
@@ -212,7 +214,7 @@ void flood(Boundary& b, const SectionInput& input, Section& section, std::vector
       continue;
     if (dammed && (!over || *levels[side] > *levels[*over]))
       over = side;
-    else if (!dammed && levels[1 - side])
+    else if (!dammed && levels[1 - side] && *levels[side] > *levels[1 - side])
       mistakes.push_back({keys[side], fmt::format("{:.10g}", *levels[side]),
                           fmt::format("the pool covers all the ground, which has no crest to hold "
                                       "it, and {} = {:.10g} is another level",

@@ -256,7 +256,8 @@ NodeConditions node_conditions(const meshes::TriangleMesh& mesh, std::span<const
         conditions.rain[i] += 0.5 * condition.value * width_under_sky(mesh, edge);
       }
       break;
-    case BoundaryKind::overflow: // docs/theory.md eq. (2.36)
+    case BoundaryKind::overflow: // docs/theory.md eq. (2.36); the film is rain without limit
+      conditions.heaviest_rain = std::numeric_limits<double>::infinity();
       for (const std::size_t i : ends)
         give_head(i, mesh.nodes[i].y() +
                          std::max(0.0, condition.value -

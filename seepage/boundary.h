@@ -35,7 +35,7 @@ struct NodeConditions
   /// Largest head given to a wet node; without one, the highest point of the potential seepage face
   /// [m].
   double highest_head = 0;
-  double heaviest_rain = 0;          ///< [m/s]
+  double heaviest_rain = 0; ///< without limit under a film of running water [m/s]
   std::vector<std::string> warnings; ///< which pieces of the section no water reaches
 };
 

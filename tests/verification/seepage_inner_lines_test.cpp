@@ -75,12 +75,12 @@ class SheetPileOfNoThickness : public testing::TestWithParam<std::pair<double, d
 };
 
 // q / (k H) for s / T: closed form with elliptic integrals. First order in the edge at the tip,
-// here of T / 640: 0.2 %.
+// here of T / 640, and the edges of T / 16 away from it: 0.3 %.
 TEST_P(SheetPileOfNoThickness, HasItsExactDischarge)
 {
   const auto [depth, discharge] = GetParam();
   const Solution s = solved_sheet_pile(depth * layer);
-  EXPECT_NEAR(s.discharge, drop * discharge, 2e-3 * drop * discharge);
+  EXPECT_NEAR(s.discharge, drop * discharge, 4e-3 * drop * discharge);
   EXPECT_LT(s.balance, 1e-8);
   EXPECT_EQ(inflow_of(sheet_pile(depth * layer), s, 2), 0);
 }
@@ -159,7 +159,7 @@ TEST(LineOfGivenHead, TakesItsExactDischarge)
 {
   const Solution s = solved_about(tips, confocal(), {head(datum + 6), head(datum)});
   const double exact = 2 * pi * 6 / rim;
-  EXPECT_NEAR(s.discharge, exact, 2e-3 * exact); // first order in the edge at the tips
+  EXPECT_NEAR(s.discharge, exact, 4e-3 * exact); // as above; the polygon takes 0.01 %
   EXPECT_NEAR(inflow_of(confocal(), s, 1), -s.discharge, 1e-8 * exact);
   EXPECT_LT(s.balance, 1e-8);
   const double xi = 0.75; // on the axes
