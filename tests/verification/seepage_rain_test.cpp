@@ -67,11 +67,11 @@ TEST_P(Strip, GivesEachDitchItsExactShare)
   expect_balanced(s);
   EXPECT_NEAR(s.rain, rain * length, 1e-12);
   const double divide = length / 2 - (left * left - right * right) / (2 * rain * length);
-  // Half an edge of rain at each end runs off; smoothing of the free surface.
-  EXPECT_NEAR(inflow_of(input, s, "marked_1"), -rain * divide, 5e-3 * rain * length);
-  EXPECT_NEAR(inflow_of(input, s, "marked_2"), -rain * (length - divide), 5e-3 * rain * length);
-  EXPECT_NEAR(s.discharge + total(s.stretch_runoff), rain * length, 1e-6 * rain * length);
-  EXPECT_LT(total(s.stretch_runoff), 5e-3 * rain * length);
+  // The free surface is smoothed over half an edge of a 240th of the height: 0.2 %.
+  EXPECT_NEAR(inflow_of(input, s, "marked_1"), -rain * divide, 2e-3 * rain * length);
+  EXPECT_NEAR(inflow_of(input, s, "marked_2"), -rain * (length - divide), 2e-3 * rain * length);
+  EXPECT_NEAR(s.discharge, rain * length, 1e-7 * rain * length); // all of it enters
+  EXPECT_LT(total(s.stretch_runoff), 1e-7 * rain * length);
 }
 INSTANTIATE_TEST_SUITE_P(Ditches, Strip,
                          testing::Values(std::array{4.0, 4.0, 0.02}, std::array{5.0, 3.0, 0.05},
@@ -119,7 +119,7 @@ TEST(Column, UnderEvenRainSinksStraightDown)
 
 TEST(RainAlone, OnAnEmbankmentEntersAndComesOutBelow)
 {
-  for (const double rain : {1e-3, 0.03, 0.5, 30.0}) // of k
+  for (const double rain : {0.03, 30.0}) // of k
   {
     const Solution s = rained_on(tests::two_sided_embankment(), rain);
     expect_balanced(s);
