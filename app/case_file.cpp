@@ -472,21 +472,21 @@ private:
              .allowed = "rain on a part of the outline",
              .hint = "a line in the soil that gives water is an \"inflow\""});
     }
-    const bool named =
-        std::any_of(marked.begin(), marked.end(),
-                    [](const seepage::Boundary& b)
-                    {
-                      return b.kind == seepage::BoundaryKind::head ||
-                             ((b.kind == seepage::BoundaryKind::inflow ||
-                               b.kind == seepage::BoundaryKind::rain) &&
-                              b.value > 0);
-                    });
+    const bool named = std::any_of(marked.begin(), marked.end(),
+                                   [](const seepage::Boundary& b)
+                                   {
+                                     return b.kind == seepage::BoundaryKind::head ||
+                                            ((b.kind == seepage::BoundaryKind::inflow ||
+                                              b.kind == seepage::BoundaryKind::rain) &&
+                                             b.value > 0);
+                                   });
     if (!named && case_.rain == 0 && !case_.water.left_level && !case_.water.right_level)
       add({.key = "water.pore_pressure",
            .value = "\"seepage\"",
            .problem = "no water is given anywhere",
-           .hint = "give a pool by water.left_level_m or water.right_level_m, seepage.rain_m_s, or a "
-                   "[[seepage.boundary]] of kind = \"head\", \"inflow\" or \"rain\""});
+           .hint =
+               "give a pool by water.left_level_m or water.right_level_m, seepage.rain_m_s, or a "
+               "[[seepage.boundary]] of kind = \"head\", \"inflow\" or \"rain\""});
   }
 
   /// Given, be it right or wrong: a wrong value is reported already.

@@ -161,9 +161,11 @@ const std::vector<Key> table = {
      .type = choice,
      .choices = {"head", "seepage_face", "inflow", "impervious", "rain"},
      .sentence =
-         "`head`: given head, in a well or drain its water level; `seepage_face`: water may leave at "
+         "`head`: given head, in a well or drain its water level; `seepage_face`: water may leave "
+         "at "
          "p = 0, as into a drain; `inflow`: given flux, from a line in the soil to each of its "
-         "sides; `impervious`: no flow, as through a cut-off wall; `rain`: enters as far as the soil "
+         "sides; `impervious`: no flow, as through a cut-off wall; `rain`: enters as far as the "
+         "soil "
          "takes it, the rest runs off (not in the soil)."},
     {.path = "seepage.boundary[].value",
      .unit = "m or m/s",
@@ -171,8 +173,9 @@ const std::vector<Key> table = {
      .range = coordinate,
      .presence = optional,
      .otherwise = "required for `head`, `inflow` and `rain`, not allowed for the others",
-     .sentence = "Head in m above y = 0, Darcy flux into the soil in m/s, or rain on the horizontal "
-                 "in m/s."},
+     .sentence =
+         "Head in m above y = 0, Darcy flux into the soil in m/s, or rain on the horizontal "
+         "in m/s."},
     {.path = "seepage.rain_m_s",
      .unit = "m/s",
      .type = number,

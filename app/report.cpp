@@ -107,15 +107,15 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   if (s.rain > 0)
   {
     const double runoff = std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0);
-    page.row("rain", fmt::format("{:.4g} m2/s, of which {:.4g} m2/s enters and {:.4g} m2/s runs off",
-                                 s.rain, s.rain - runoff, runoff));
+    page.row("rain",
+             fmt::format("{:.4g} m2/s, of which {:.4g} m2/s enters and {:.4g} m2/s runs off",
+                         s.rain, s.rain - runoff, runoff));
   }
   page.row("water balance",
            fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
-  page.row("exit point",
-           s.exit_point     ? point_text(*s.exit_point)
-           : s.outflow > 0 ? "none: no free surface ends on a seepage face"
-                           : "none: the seepage face is dry");
+  page.row("exit point", s.exit_point    ? point_text(*s.exit_point)
+                         : s.outflow > 0 ? "none: no free surface ends on a seepage face"
+                                         : "none: the seepage face is dry");
   add_phreatic_line(page, s);
   for (const Probe& p : probes(input, analysis))
     page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",

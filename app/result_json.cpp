@@ -78,8 +78,9 @@ Json section_json(const coupling::Case& input, const meshes::Section& s)
     const meshes::Stretch& stretch = s.stretches[static_cast<std::size_t>(line.stretch)];
     inner.push_back(
         {{"name", stretch.name},
-         {"kind", kind_name(
-                      input.marked_boundaries.at(static_cast<std::size_t>(stretch.marked_line)).kind)},
+         {"kind",
+          kind_name(
+              input.marked_boundaries.at(static_cast<std::size_t>(stretch.marked_line)).kind)},
          {"line_m", points(line.points)}});
   }
   return {{"x_min_m", s.x_min},

@@ -141,12 +141,12 @@ Polyline straight_free_surface(const meshes::Section& section)
     return {};
   const Polyline& ground = section.ground;
   const Polyline reversed(ground.rbegin(), ground.rend());
-  const Vec2 left =
-      section.left_pool_level ? waterline(ground, *section.left_pool_level, section.overflow)
-                              : toe(ground);
-  const Vec2 right =
-      section.right_pool_level ? waterline(reversed, *section.right_pool_level, section.overflow)
-                               : toe(reversed);
+  const Vec2 left = section.left_pool_level
+                        ? waterline(ground, *section.left_pool_level, section.overflow)
+                        : toe(ground);
+  const Vec2 right = section.right_pool_level
+                         ? waterline(reversed, *section.right_pool_level, section.overflow)
+                         : toe(reversed);
   if (left.x() >= right.x()) // one pool covers all of the ground
     return {{section.x_min, std::max(left.y(), right.y())},
             {section.x_max, std::max(left.y(), right.y())}};

@@ -64,12 +64,10 @@ bool within_section(const Boundary& b, const Polyline& line, const std::string& 
   const std::size_t before = mistakes.size();
   for (const Vec2& p : line)
     if (!on_outline(b, p) && !polygon_contains(b.points, p))
-      mistakes.push_back({key, text(p),
-                          fmt::format("lies {:.4g} m outside the section",
-                                      nearest_edge(b.points, p).distance),
-                          fmt::format("on the outline, within {:.2g} m, or inside it",
-                                      marked_off * b.size),
-                          ""});
+      mistakes.push_back(
+          {key, text(p),
+           fmt::format("lies {:.4g} m outside the section", nearest_edge(b.points, p).distance),
+           fmt::format("on the outline, within {:.2g} m, or inside it", marked_off * b.size), ""});
   return mistakes.size() == before;
 }
 
@@ -100,7 +98,8 @@ void check_inner(const Boundary& b, const Polyline& line, const std::string& key
     for (std::size_t k = 0; k < b.points.size() && !meets; ++k)
     {
       const Vec2& a = b.points[k];
-      if (distance(a, p, q) <= tolerance && (a - p).norm() > tolerance && (a - q).norm() > tolerance)
+      if (distance(a, p, q) <= tolerance && (a - p).norm() > tolerance &&
+          (a - q).norm() > tolerance)
         meets = a;
       else
         meets = crossing(p, q, a, b.points[next(k, b.points.size())]);
@@ -142,12 +141,12 @@ void check_overlaps(const std::vector<MarkedInside>& inner, double tolerance,
       for (std::size_t m = 0; m + 1 < line.size(); ++m)
         for (std::size_t i = 0; i + 1 < other.size(); ++i)
           if (overlap(line[m], line[m + 1], other[i], other[i + 1], tolerance))
-            mistakes.push_back(
-                {key_of(static_cast<std::size_t>(inner[l].marked_line)), text(line[m], line[m + 1]),
-                 fmt::format("runs along {}, {}",
-                             key_of(static_cast<std::size_t>(inner[k].marked_line)),
-                             text(other[i], other[i + 1])),
-                 "lines inside the section may meet at points only", ""});
+            mistakes.push_back({key_of(static_cast<std::size_t>(inner[l].marked_line)),
+                                text(line[m], line[m + 1]),
+                                fmt::format("runs along {}, {}",
+                                            key_of(static_cast<std::size_t>(inner[k].marked_line)),
+                                            text(other[i], other[i + 1])),
+                                "lines inside the section may meet at points only", ""});
     }
 }
 

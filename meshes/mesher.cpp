@@ -141,7 +141,7 @@ struct Meshed
 };
 
 Meshed mesh_with(int algorithm, const Section& section, const PlanarGraph& graph,
-                       const SizeField& field, double factor)
+                 const SizeField& field, double factor)
 {
   const Gmsh session;
   gmsh::option::setNumber("Mesh.Algorithm", algorithm);

@@ -51,8 +51,7 @@ public:
       const Polyline& polygon = section_.zones[z].polygon;
       for (std::size_t e = 0; e < polygon.size(); ++e)
       {
-        const std::vector<std::size_t> way =
-            cut_edge(polygon[e], polygon[next(e, polygon.size())]);
+        const std::vector<std::size_t> way = cut_edge(polygon[e], polygon[next(e, polygon.size())]);
         for (std::size_t c = 0; c + 1 < way.size(); ++c)
           if (visible(section_, z, 0.5 * (points_[way[c]] + points_[way[c + 1]]), reach_))
             stretch_of_.try_emplace(std::minmax(way[c], way[c + 1]), -1);

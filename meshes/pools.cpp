@@ -57,10 +57,10 @@ Pool pool_on(const Polyline& ground, double level, double tolerance)
 /// The first of the highest points, seen from the pool.
 Polyline::const_iterator crest_of(const Polyline& ground, double tolerance)
 {
-  const double highest = std::max_element(ground.begin(), ground.end(),
-                                          [](const Vec2& a, const Vec2& b)
-                                          { return a.y() < b.y(); })
-                             ->y();
+  const double highest =
+      std::max_element(ground.begin(), ground.end(),
+                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
+          ->y();
   return std::find_if(ground.begin(), ground.end(),
                       [&](const Vec2& p) { return p.y() >= highest - tolerance; });
 }

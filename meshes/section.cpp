@@ -67,8 +67,7 @@ void name_stretches(const Boundary& b, const std::vector<MarkedInside>& inner, S
   for (const auto& edge : of_edge)
     section.edge_stretch.push_back(index_of(edge));
   for (const MarkedInside& line : inner)
-    section.inner_lines.push_back(
-        {line.points, index_of({StretchKind::marked, line.marked_line})});
+    section.inner_lines.push_back({line.points, index_of({StretchKind::marked, line.marked_line})});
 }
 } // namespace
 
@@ -104,8 +103,7 @@ Section build_section(const SectionInput& input)
   Boundary& b = *boundary;
   flood(b, input, section, mistakes);
   place_zones(b, input.zones, zone_usable, section, mistakes);
-  const std::vector<MarkedInside> inner =
-      mark_lines(b, input.marked_lines, line_usable, mistakes);
+  const std::vector<MarkedInside> inner = mark_lines(b, input.marked_lines, line_usable, mistakes);
   if (!mistakes.empty())
     throw InputError(std::move(mistakes));
 

@@ -47,8 +47,8 @@ struct Stretch
 {
   StretchKind kind = StretchKind::ground;
   Index marked_line = -1; ///< which of SectionInput::marked_lines, for StretchKind::marked
-  std::string name; ///< "ground", "left_pool", "right_pool", "overflow", "base", "left_side",
-                    ///< "right_side", "marked_1", ...
+  std::string name;       ///< "ground", "left_pool", "right_pool", "overflow", "base", "left_side",
+                          ///< "right_side", "marked_1", ...
 };
 
 /// A wall, drain or well of no thickness inside the section: the mesh is cut open along it.

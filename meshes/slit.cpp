@@ -108,9 +108,9 @@ private:
 
   TriangleMesh& mesh_;
   const std::vector<SlitEdge>& edges_;
-  std::set<Index> nodes_;       ///< on the lines
-  std::set<Edge> cut_;          ///< both directions
-  std::map<Edge, Side> sides_;  ///< of edges with an end on a line
+  std::set<Index> nodes_;      ///< on the lines
+  std::set<Edge> cut_;         ///< both directions
+  std::map<Edge, Side> sides_; ///< of edges with an end on a line
 };
 } // namespace
 

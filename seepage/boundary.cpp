@@ -74,7 +74,7 @@ double width_under_sky(const meshes::TriangleMesh& mesh, std::size_t edge)
 struct Piece
 {
   bool head = false, face = false;
-  double put_in = 0, taken_out = 0; ///< prescribed [m2/s]
+  double put_in = 0, taken_out = 0;                        ///< prescribed [m2/s]
   double lowest = std::numeric_limits<double>::infinity(); ///< [m]
   double area = 0;                                         ///< [m2]
   Vec2 moment = Vec2::Zero();                              ///< centroid times area [m3]
@@ -142,8 +142,9 @@ void settle_dry_pieces(const meshes::TriangleMesh& mesh, NodeConditions& conditi
 
   for (const Piece& piece : pieces)
     if (!piece.head && piece.put_in == 0)
-      conditions.warnings.push_back(pieces.size() > 1 ? "no water reaches " + piece.name() + ": it is dry"
-                                                      : "no water reaches the soil: it is dry");
+      conditions.warnings.push_back(pieces.size() > 1
+                                        ? "no water reaches " + piece.name() + ": it is dry"
+                                        : "no water reaches the soil: it is dry");
   for (std::size_t i = 0; i < piece_of.size(); ++i)
     if (const Piece& piece = pieces[piece_of[i]]; !piece.head && piece.put_in == 0)
     {

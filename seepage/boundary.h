@@ -35,7 +35,7 @@ struct NodeConditions
   /// Largest head given to a wet node; without one, the highest point of the potential seepage face
   /// [m].
   double highest_head = 0;
-  double heaviest_rain = 0; ///< without limit under a film of running water [m/s]
+  double heaviest_rain = 0;          ///< without limit under a film of running water [m/s]
   std::vector<std::string> warnings; ///< which pieces of the section no water reaches
 };
 
@@ -72,10 +72,12 @@ struct StretchWater
 };
 
 /// @brief Water that enters through each stretch [m2/s], docs/theory.md eq. (2.7): the reactions of
-/// its nodes, its prescribed inflow, and rain as far as it enters, (2.32). The reaction of a node where stretches meet is shared among
-/// the edges there that impose its condition (of kind head at a node of kind head; potential
-/// seepage face at one of kind face), in proportion to their lengths.
-/// @param[in] reaction  At each node, > 0 into the soil, with rain that enters but without prescribed
+/// its nodes, its prescribed inflow, and rain as far as it enters, (2.32). The reaction of a node
+/// where stretches meet is shared among the edges there that impose its condition (of kind head at
+/// a node of kind head; potential seepage face at one of kind face), in proportion to their
+/// lengths.
+/// @param[in] reaction  At each node, > 0 into the soil, with rain that enters but without
+/// prescribed
 ///                      inflow [m2/s], shape (n).
 [[nodiscard]] StretchWater stretch_water(const meshes::TriangleMesh& mesh,
                                          std::span<const Boundary> boundary,

@@ -22,8 +22,8 @@ enum class BoundaryKind
   head,         ///< value: head [m]
   seepage_face, ///< p = 0 where water comes out, no flow where it does not
   inflow,       ///< value: Darcy flux into the soil, on each side of an inner line [m/s]
-  rain,         ///< value: rate on the horizontal [m/s], >= 0; what does not enter runs off at p = 0
-  overflow      ///< value: depth of the water over the crest [m]; docs/theory.md eq. (2.36)
+  rain,    ///< value: rate on the horizontal [m/s], >= 0; what does not enter runs off at p = 0
+  overflow ///< value: depth of the water over the crest [m]; docs/theory.md eq. (2.36)
 };
 
 struct Boundary

@@ -71,9 +71,12 @@ double twice_area(const meshes::TriangleMesh& mesh, const Loop& loop)
 bool water_passes(const meshes::TriangleMesh& mesh, const BoundaryFlow& flow, const Loop& loop)
 {
   return std::ranges::any_of(
-      loop, [&](std::size_t e)
-      { return flow.head_known[e] || flow.edge_inflow[e] != 0 ||
-               flow.reaction[static_cast<std::size_t>(mesh.boundary[e][0])] != 0; });
+      loop,
+      [&](std::size_t e)
+      {
+        return flow.head_known[e] || flow.edge_inflow[e] != 0 ||
+               flow.reaction[static_cast<std::size_t>(mesh.boundary[e][0])] != 0;
+      });
 }
 
 /// The line round each piece of the mesh, and the walls in the soil, which are loops inside it.
@@ -89,8 +92,7 @@ Loops sorted_loops(const meshes::TriangleMesh& mesh, const std::vector<std::size
   loops.outer.resize(std::ranges::max(piece) + 1);
   for (Loop& loop : meshes::boundary_loops(mesh))
   {
-    Loop& outer =
-        loops.outer[piece[static_cast<std::size_t>(mesh.boundary[loop.front()][0])]];
+    Loop& outer = loops.outer[piece[static_cast<std::size_t>(mesh.boundary[loop.front()][0])]];
     if (outer.empty() || twice_area(mesh, loop) > twice_area(mesh, outer))
       std::swap(outer, loop);
     if (!loop.empty())

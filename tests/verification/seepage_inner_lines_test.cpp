@@ -58,9 +58,8 @@ meshes::SectionInput sheet_pile(double depth)
 {
   meshes::SectionInput input;
   input.outline = {{-half, 0}, {half, 0}, {half, layer}, {-half, layer}};
-  input.marked_lines = {{{-half, layer}, {0, layer}},
-                        {{0, layer}, {half, layer}},
-                        {{0, layer}, {0, layer - depth}}};
+  input.marked_lines = {
+      {{-half, layer}, {0, layer}}, {{0, layer}, {half, layer}}, {{0, layer}, {0, layer - depth}}};
   return input;
 }
 
@@ -115,10 +114,10 @@ TEST(SheetPileOfNoThickness, MirroredHasMirroredHeads)
 {
   const meshes::SectionInput input = sheet_pile(layer / 2);
   const meshes::Section section = meshes::build_section(input);
-  meshes::TriangleMesh mesh = meshes::triangulate(
-      section, {.coarse = 2, .fine = 0, .inner = 0, .outer = 0, .near = {}});
-  const std::vector<Boundary> boundary = seepage::boundary_conditions(
-      section, {head(layer + drop), head(layer), impervious});
+  meshes::TriangleMesh mesh =
+      meshes::triangulate(section, {.coarse = 2, .fine = 0, .inner = 0, .outer = 0, .near = {}});
+  const std::vector<Boundary> boundary =
+      seepage::boundary_conditions(section, {head(layer + drop), head(layer), impervious});
   Observer observer;
   const Solution a = seepage::solve_on_mesh(mesh, {{1, 2, 0.3}}, boundary, observer);
   for (Vec2& x : mesh.nodes)
@@ -171,8 +170,7 @@ TEST(LineOfGivenHead, TakesItsExactDischarge)
 
 TEST(LineOfInflow, GivesItsFluxOnBothSides)
 {
-  const Solution s =
-      solved_about(tips, confocal(), {head(datum), {BoundaryKind::inflow, 0.25}});
+  const Solution s = solved_about(tips, confocal(), {head(datum), {BoundaryKind::inflow, 0.25}});
   EXPECT_NEAR(s.discharge, 2 * 0.25 * 2 * half_line, 1e-7 * s.discharge);
   EXPECT_NEAR(inflow_of(confocal(), s, 0), -5, 1e-6);
   EXPECT_TRUE(s.stream_function.empty());
@@ -190,16 +188,16 @@ TEST(FloatingWall, HasThePsiOfTheWaterThatPassesBelow)
   constexpr double l = 20, t = 20, y1 = 6, y2 = 18;
   meshes::SectionInput half_input;
   half_input.outline = {{0, 0}, {l, 0}, {l, t}, {0, t}};
-  half_input.marked_lines = {{{0, 0}, {0, y1}}, {{0, y2}, {0, t}}, {{l, 0}, {l, t}},
-                             {{0, t}, {l, t}}};
+  half_input.marked_lines = {
+      {{0, 0}, {0, y1}}, {{0, y2}, {0, t}}, {{l, 0}, {l, t}}, {{0, t}, {l, t}}};
   const Solution part = solved_about({{0, y1}, {0, y2}}, half_input,
                                      {head(t + 5), head(t + 5), head(t + 1), impervious});
   meshes::SectionInput input;
   input.outline = {{-l, 0}, {l, 0}, {l, t}, {-l, t}};
-  input.marked_lines = {{{-l, 0}, {-l, t}}, {{l, 0}, {l, t}}, {{-l, t}, {l, t}},
-                        {{0, y1}, {0, y2}}};
-  const Solution s = solved_about({{0, y1}, {0, y2}}, input,
-                                  {head(t + 9), head(t + 1), impervious, impervious});
+  input.marked_lines = {
+      {{-l, 0}, {-l, t}}, {{l, 0}, {l, t}}, {{-l, t}, {l, t}}, {{0, y1}, {0, y2}}};
+  const Solution s =
+      solved_about({{0, y1}, {0, y2}}, input, {head(t + 9), head(t + 1), impervious, impervious});
   EXPECT_NEAR(s.discharge, part.discharge, 3e-3 * part.discharge); // each first order at the tips
   const double below = inflow_of(half_input, part, 0);
   ASSERT_FALSE(s.stream_function.empty());
@@ -220,8 +218,11 @@ TEST(FloatingWalls, EachHaveTheirOwnPsi)
 {
   // Two levels of symmetric walls in uniform flow to the right: psi on them by symmetry.
   meshes::SectionInput input = rectangle_input(40, 20);
-  input.marked_lines = {{{0, 0}, {0, 20}},      {{40, 0}, {40, 20}},    {{0, 20}, {40, 20}},
-                        {{20, 2}, {20, 8}},     {{20, 12}, {20, 18}}};
+  input.marked_lines = {{{0, 0}, {0, 20}},
+                        {{40, 0}, {40, 20}},
+                        {{0, 20}, {40, 20}},
+                        {{20, 2}, {20, 8}},
+                        {{20, 12}, {20, 18}}};
   const Solution s = solved_about({{20, 2}, {20, 8}, {20, 12}, {20, 18}}, input,
                                   {head(25), head(22), impervious, impervious, impervious});
   const double lower = seepage::value_at(s, s.stream_function, {20, 5}, 0).value(),
@@ -278,8 +279,7 @@ TEST(WallRightThrough, ThatLeavesAPieceWithoutHeadOrFaceIsRefusedByName)
   input.marked_lines = {{{6, 10}, {6, 0}}, {{6, 10}, {16, 10}}, {{16, 0}, {16, 10}}};
   try
   {
-    static_cast<void>(
-        tests::solved(input, {{1, 1, 0}}, {impervious, impervious, impervious}));
+    static_cast<void>(tests::solved(input, {{1, 1, 0}}, {impervious, impervious, impervious}));
     FAIL() << "no error";
   }
   catch (const InputError& error)

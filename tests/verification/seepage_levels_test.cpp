@@ -61,7 +61,8 @@ TEST(PoolUpToTheCrest, IsTheLimitOfPoolsBelowIt)
 }
 
 // A film on a slope over soil that drains freely at its base: h = y everywhere, so the soil takes k
-// times the width. The pool stands a millimetre above the crest, which is the upper end of the slope.
+// times the width. The pool stands a millimetre above the crest, which is the upper end of the
+// slope.
 TEST(Overflow, OnFreelyDrainedSoilSinksWithUnitGradient)
 {
   meshes::SectionInput input;
@@ -85,7 +86,8 @@ TEST(Overflow, HasADischargeThatConvergesWithTheMesh)
   std::vector<double> q;
   for (const double size : {2.0, 1.0, 0.5})
     q.push_back(seepage::solve(section, {{1, 1, 0}}, seepage::boundary_conditions(section, {}),
-                               {.element_size = size, .refined_size = 0, .adaptive = false}, observer)
+                               {.element_size = size, .refined_size = 0, .adaptive = false},
+                               observer)
                     .discharge);
   EXPECT_LT(std::abs(q[2] - q[1]), 0.75 * std::abs(q[1] - q[0]));
 }
@@ -97,7 +99,7 @@ TEST(Overflow, IsBalancedMirroredAndWithinItsHeads)
                  b = tests::solved(tests::mirrored(input), {{1, 1, 0}});
   EXPECT_LT(a.balance, 1e-8);
   EXPECT_NEAR(a.discharge, b.discharge, 5e-3 * a.discharge); // meshes are not mirrored
-  for (const double head : a.head) // maximum principle
+  for (const double head : a.head)                           // maximum principle
   {
     EXPECT_LE(head, 31 + 1e-9);
     EXPECT_GE(head, 10 - 1e-9);

@@ -63,7 +63,8 @@ TEST_P(Strip, GivesEachDitchItsExactShare)
   input.left_pool_level = left;
   input.right_pool_level = right;
   input.marked_lines = {{{0, 0}, {0, height}}, {{length, 0}, {length, height}}};
-  const Solution s = rained_on(input, rain, 1, {{BoundaryKind::head, left}, {BoundaryKind::head, right}});
+  const Solution s =
+      rained_on(input, rain, 1, {{BoundaryKind::head, left}, {BoundaryKind::head, right}});
   expect_balanced(s);
   EXPECT_NEAR(s.rain, rain * length, 1e-12);
   const double divide = length / 2 - (left * left - right * right) / (2 * rain * length);
@@ -155,8 +156,8 @@ TEST(RainAndPool, OnAMirroredEmbankmentAreMirrored)
   const Solution a = rained_on(input, 0.02), b = rained_on(tests::mirrored(input), 0.02);
   // Meshes are not mirrored: what remains is their error.
   EXPECT_NEAR(a.discharge, b.discharge, 5e-3 * a.discharge);
-  EXPECT_NEAR(inflow_of(input, a, "left_pool"),
-              inflow_of(tests::mirrored(input), b, "right_pool"), 5e-3 * a.discharge);
+  EXPECT_NEAR(inflow_of(input, a, "left_pool"), inflow_of(tests::mirrored(input), b, "right_pool"),
+              5e-3 * a.discharge);
 }
 } // namespace
 } // namespace berm

@@ -138,10 +138,11 @@ TEST(CaseFile, AsksForWaterThatIsNamedBeItDryInEffect)
                                    "kind=\"inflow\", value=-1e-8}"}))
                 .about("water.pore_pressure"),
             nullptr);
-  for (const char* water : {"water.right_level_m=0", // the ground's level: no pool
-                            "water.right_level_m=2", "seepage.rain_m_s=1e-8",
-                            "seepage.boundary[1]={line_m=[[0,10],[12,10]], kind=\"rain\", value=1e-8}",
-                            "seepage.boundary[1]={line_m=[[0,0],[5,0]], kind=\"inflow\", value=1e-8}"})
+  for (const char* water :
+       {"water.right_level_m=0", // the ground's level: no pool
+        "water.right_level_m=2", "seepage.rain_m_s=1e-8",
+        "seepage.boundary[1]={line_m=[[0,10],[12,10]], kind=\"rain\", value=1e-8}",
+        "seepage.boundary[1]={line_m=[[0,0],[5,0]], kind=\"inflow\", value=1e-8}"})
     EXPECT_TRUE(read_set(with_seepage({water})).mistakes.empty())
         << water << read_set(with_seepage({water})).text();
 }
@@ -150,8 +151,8 @@ TEST(CaseFile, RefusesRainOnALineInTheSoil)
 {
   if (!seepage_built_in())
     GTEST_SKIP();
-  const ReadResult result = read_set(with_seepage(
-      {"seepage.boundary[1]={line_m=[[5,0],[10,0]], kind=\"rain\", value=1e-8}"}));
+  const ReadResult result = read_set(
+      with_seepage({"seepage.boundary[1]={line_m=[[5,0],[10,0]], kind=\"rain\", value=1e-8}"}));
   ASSERT_NE(result.about("seepage.boundary[1].kind"), nullptr) << result.text();
   EXPECT_NE(result.text().find("it does not rain inside the soil"), std::string::npos);
 }

@@ -139,10 +139,10 @@ SectionInput dam_with_core_and_filter()
 TEST(Mesher, IsCutOpenAlongInnerLinesAcrossZonesAtEverySize)
 {
   SectionInput input = dam_with_core_and_filter();
-  input.marked_lines = {{{55, 20}, {55, 10}, {52, 4}},    // a wall from the crest through the core
-                        {{40, 5}, {80, 5}},               // across everything, and the wall's zone
-                        {{54, 8}, {56.5, 8}},             // over the wall, inside the core
-                        {{60, 0.5}, {61, 0.5}}};          // short, in the filter
+  input.marked_lines = {{{55, 20}, {55, 10}, {52, 4}}, // a wall from the crest through the core
+                        {{40, 5}, {80, 5}},            // across everything, and the wall's zone
+                        {{54, 8}, {56.5, 8}},          // over the wall, inside the core
+                        {{60, 0.5}, {61, 0.5}}};       // short, in the filter
   const Section section = build_section(input);
   ASSERT_EQ(section.inner_lines.size(), 4U);
   for (const double size : {10.0, 2.0, 0.35}) // the last one halved

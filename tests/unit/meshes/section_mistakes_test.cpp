@@ -191,18 +191,21 @@ INSTANTIATE_TEST_SUITE_P(
                      s.marked_lines = {{{0, 7.3}, {33.5, 7.3}, {40, 3}}};
                    },
                    line, "(33.5, 7.3)", "a line through the soil meets the outline here"},
-        BadSection{"InnerLineThroughTheAir",
-                   [](SectionInput& s) { // from one slope to the other, over the toe's ground
-                     use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
-                     s.marked_lines = {{{5, 8}, {15, 8}}};
-                   },
-                   line, "(5, 8) - (15, 8)", "leaves or touches the section at"},
-        BadSection{"InnerLineTouchesACorner",
-                   [](SectionInput& s) {
-                     use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
-                     s.marked_lines = {{{5, 4}, {15, 4}}};
-                   },
-                   line, "(5, 4) - (15, 4)", "leaves or touches the section at (10, 4)"},
+        BadSection{
+            "InnerLineThroughTheAir",
+            [](SectionInput& s) { // from one slope to the other, over the toe's ground
+              use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
+              s.marked_lines = {{{5, 8}, {15, 8}}};
+            },
+            line, "(5, 8) - (15, 8)", "leaves or touches the section at"},
+        BadSection{
+            "InnerLineTouchesACorner",
+            [](SectionInput& s)
+            {
+              use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
+              s.marked_lines = {{{5, 4}, {15, 4}}};
+            },
+            line, "(5, 4) - (15, 4)", "leaves or touches the section at (10, 4)"},
         BadSection{"InnerLineCrossesItself",
                    [](SectionInput& s) {
                      s.marked_lines = {{{90, 5}, {100, 5}, {100, 10}, {95, 10}, {95, 2}}};

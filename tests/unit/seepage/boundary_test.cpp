@@ -263,9 +263,9 @@ TEST(StretchWater, DividesRainIntoWhatEntersAndWhatRunsOff)
   const std::size_t ground = box.stretch(-1); // the top, 4 m
   boundary[ground] = {BoundaryKind::rain, 1};
   const NodeConditions c = node_conditions(box.mesh, boundary);
-  std::vector<double> reaction = c.rain;    // what enters at each node, net
-  reaction[box.node(1, 2)] = 0.25;          // of 1
-  reaction[box.node(2, 2)] = -2;            // all of it runs off, and water comes out
+  std::vector<double> reaction = c.rain; // what enters at each node, net
+  reaction[box.node(1, 2)] = 0.25;       // of 1
+  reaction[box.node(2, 2)] = -2;         // all of it runs off, and water comes out
   const StretchWater water = stretch_water(box.mesh, boundary, c, reaction);
   EXPECT_DOUBLE_EQ(water.runoff[ground], 0.75 + 1);
   EXPECT_DOUBLE_EQ(water.inflow[ground], 0.5 + 0.25 - 2 + 1 + 0.5);
