@@ -249,14 +249,16 @@ private:
       boundary.kind = kind == "head"           ? seepage::BoundaryKind::head
                       : kind == "seepage_face" ? seepage::BoundaryKind::seepage_face
                       : kind == "inflow"       ? seepage::BoundaryKind::inflow
+                      : kind == "rain"         ? seepage::BoundaryKind::rain
                                                : seepage::BoundaryKind::impervious;
       boundary.value = number(at + "value", 0);
-      const bool wants_value = kind == "head" || kind == "inflow";
+      const bool wants_value = kind == "head" || kind == "inflow" || kind == "rain";
       if (wants_value && !given(at + "value"))
         add({.key = at + "value",
              .problem = std::string(missing_key),
-             .hint = kind == "head" ? "the head in m above y = 0"
-                                    : "the Darcy flux into the soil in m/s"});
+             .hint = kind == "head"   ? "the head in m above y = 0"
+                     : kind == "rain" ? "the rain on the horizontal in m/s"
+                                      : "the Darcy flux into the soil in m/s"});
       else if (!kind.empty() && !wants_value && given(at + "value"))
         add({.key = at + "value",
              .value = fmt::format("{}", boundary.value),
@@ -265,14 +267,20 @@ private:
         add({.key = at + "value",
              .value = fmt::format("{}", boundary.value),
              .allowed = "-1 <= value <= 1 for an inflow in m/s"});
+      if (kind == "rain" && !(boundary.value >= 0 && boundary.value <= 1))
+        add({.key = at + "value",
+             .value = fmt::format("{}", boundary.value),
+             .allowed = "0 <= value <= 1 for rain in m/s"});
       case_.marked_boundaries.push_back(boundary);
       case_.section.marked_lines.push_back(
           values_.get<Polyline>(at + "line_m").value_or(Polyline{}));
     }
+    case_.rain = number("seepage.rain_m_s", 0);
     if (case_.water.pore_pressure != PorePressureKind::seepage)
     {
       case_.marked_boundaries.clear();
       case_.section.marked_lines.clear();
+      case_.rain = 0;
     }
   }
 
@@ -408,7 +416,7 @@ private:
     }
     check_sizes(section);
     check_scope(section);
-    check_water_enters(section);
+    check_water(section);
     const Polyline& probes = case_.output.probes;
     for (std::size_t i = 0; i < probes.size(); ++i)
       if (!meshes::contains(section, probes[i]))
@@ -482,21 +490,37 @@ private:
     }
   }
 
-  void check_water_enters(const meshes::Section& section)
+  /// Rain falls on the outline, and some water is named, be it none in effect.
+  void check_water(const meshes::Section& section)
   {
     if (case_.water.pore_pressure != PorePressureKind::seepage)
       return;
     const auto& marked = case_.marked_boundaries;
-    const bool head = std::any_of(marked.begin(), marked.end(),
-                                  [](const seepage::Boundary& b)
-                                  { return b.kind == seepage::BoundaryKind::head; });
-    if (!head && !section.left_pool_level && !section.right_pool_level)
+    for (const meshes::InnerLine& line : section.inner_lines)
+    {
+      const Index l = section.stretches[static_cast<std::size_t>(line.stretch)].marked_line;
+      if (marked[static_cast<std::size_t>(l)].kind == seepage::BoundaryKind::rain)
+        add({.key = fmt::format("seepage.boundary[{}].kind", l + 1),
+             .value = "\"rain\"",
+             .problem = "it does not rain inside the soil, and this line runs through it",
+             .allowed = "rain on a part of the outline",
+             .hint = "a line in the soil that gives water is an \"inflow\""});
+    }
+    const bool named = std::any_of(marked.begin(), marked.end(),
+                                   [](const seepage::Boundary& b)
+                                   {
+                                     return b.kind == seepage::BoundaryKind::head ||
+                                            ((b.kind == seepage::BoundaryKind::inflow ||
+                                              b.kind == seepage::BoundaryKind::rain) &&
+                                             b.value > 0);
+                                   });
+    if (!named && case_.rain == 0 && !case_.water.left_level && !case_.water.right_level)
       add({.key = "water.pore_pressure",
            .value = "\"seepage\"",
-           .problem = "no head is given anywhere",
-           .hint = "give a pool by water.left_level_m or water.right_level_m, or a "
-                   "[[seepage.boundary]] "
-                   "of kind = \"head\""});
+           .problem = "no water is given anywhere",
+           .hint =
+               "give a pool by water.left_level_m or water.right_level_m, seepage.rain_m_s, or a "
+               "[[seepage.boundary]] of kind = \"head\", \"inflow\" or \"rain\""});
   }
 
   /// Given, be it right or wrong: a wrong value is reported already.

@@ -167,14 +167,17 @@ const std::vector<Key> table = {
      .range = coordinate,
      .presence = optional,
      .otherwise = "no pool",
-     .sentence = "Level of the pool on the ground at the left end."},
+     .sentence =
+         "Level of the pool on the ground at the left end. Above a crest that has lower ground on "
+         "both sides it runs over (with a warning), down to the other pool or end; give the same "
+         "level on both sides for a section that is all under water."},
     {.path = "water.right_level_m",
      .unit = "m",
      .type = number,
      .range = coordinate,
      .presence = optional,
      .otherwise = "no pool",
-     .sentence = "Level of the pool on the ground at the right end."},
+     .sentence = "The same at the right end."},
     {.path = "water.free_surface_m",
      .unit = "m",
      .type = points,
@@ -188,20 +191,37 @@ const std::vector<Key> table = {
      .unit = "m",
      .type = points,
      .range = coordinate,
-     .sentence = "Part of the outline that is neither a pool, nor open ground, nor impervious."},
+     .sentence =
+         "Part of the outline that is neither a pool, nor open ground, nor impervious; or a line "
+         "through the soil, which may begin and end on the outline: a wall, a drain or a well of "
+         "no thickness."},
     {.path = "seepage.boundary[].kind",
      .type = choice,
-     .choices = {"head", "seepage_face", "inflow", "impervious"},
+     .choices = {"head", "seepage_face", "inflow", "impervious", "rain"},
      .sentence =
-         "`head`: given head; `seepage_face`: water may leave at p = 0; `inflow`: given flux; "
-         "`impervious`: no flow."},
+         "`head`: given head, in a well or drain its water level; `seepage_face`: water may leave "
+         "at "
+         "p = 0, as into a drain; `inflow`: given flux, from a line in the soil to each of its "
+         "sides; `impervious`: no flow, as through a cut-off wall; `rain`: enters as far as the "
+         "soil "
+         "takes it, the rest runs off (not in the soil)."},
     {.path = "seepage.boundary[].value",
      .unit = "m or m/s",
      .type = number,
      .range = coordinate,
      .presence = optional,
-     .otherwise = "required for `head` and `inflow`, not allowed for the others",
-     .sentence = "Head in m above y = 0, or Darcy flux into the soil in m/s."},
+     .otherwise = "required for `head`, `inflow` and `rain`, not allowed for the others",
+     .sentence =
+         "Head in m above y = 0, Darcy flux into the soil in m/s, or rain on the horizontal "
+         "in m/s."},
+    {.path = "seepage.rain_m_s",
+     .unit = "m/s",
+     .type = number,
+     .range = {0, 1},
+     .presence = defaulted,
+     .otherwise = "0.0",
+     .sentence = "Rain on the horizontal, on all open ground that no boundary covers: it enters as "
+                 "far as the soil takes it, the rest runs off."},
     {.path = "seepage.element_size_m",
      .unit = "m",
      .type = number,

@@ -102,10 +102,11 @@ void write_mesh(Hdf5File& file, const seepage::Solution& solution)
   nodal.scalar("/mesh/head", solution.head, {"m", "hydraulic head above y = 0"});
   nodal.scalar("/mesh/pore_pressure", solution.pore_pressure,
                {"Pa", "pore pressure, compression positive, negative above the phreatic line"});
-  nodal.scalar("/mesh/stream_function", solution.stream_function,
-               {"m2/s",
-                "stream function: the water between two stream lines, larger on the left of "
-                "the flow"});
+  if (!solution.stream_function.empty())
+    nodal.scalar("/mesh/stream_function", solution.stream_function,
+                 {"m2/s",
+                  "stream function: the water between two stream lines, larger on the left of "
+                  "the flow"});
   cells.vector("/mesh/flux", qx, qy, {"m/s", "Darcy flux (x, y, 0)"});
 }
 
@@ -178,8 +179,9 @@ std::string mesh_xdmf(const seepage::Solution& solution, const std::string& h5_n
   text += attribute("head", "Node", data_item(h5_name, "/mesh/head", nodes, 1), false);
   text += attribute("pore_pressure", "Node", data_item(h5_name, "/mesh/pore_pressure", nodes, 1),
                     false);
-  text += attribute("stream_function", "Node",
-                    data_item(h5_name, "/mesh/stream_function", nodes, 1), false);
+  if (!solution.stream_function.empty())
+    text += attribute("stream_function", "Node",
+                      data_item(h5_name, "/mesh/stream_function", nodes, 1), false);
   text += attribute("flux", "Cell", data_item(h5_name, "/mesh/flux", triangles, 3), true);
   text += attribute("soil", "Cell", data_item(h5_name, "/mesh/triangle_soil", triangles, 1, true),
                     false);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace berm::app
 {
@@ -121,10 +122,18 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   if (const auto q_over_k = discharge_over_k(input, analysis))
     q += fmt::format(", q/k = {:.4f} m", *q_over_k);
   page.row("discharge", q);
+  if (s.rain > 0)
+  {
+    const double runoff = std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0);
+    page.row("rain",
+             fmt::format("{:.4g} m2/s, of which {:.4g} m2/s enters and {:.4g} m2/s runs off",
+                         s.rain, s.rain - runoff, runoff));
+  }
   page.row("water balance",
            fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
-  page.row("exit point",
-           s.exit_point ? point_text(*s.exit_point) : "none: the seepage face is dry");
+  page.row("exit point", s.exit_point    ? point_text(*s.exit_point)
+                         : s.outflow > 0 ? "none: no free surface ends on a seepage face"
+                                         : "none: the seepage face is dry");
   add_phreatic_line(page, s);
   for (const Probe& p : probes(input, analysis))
     page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",
@@ -394,6 +403,8 @@ std::string summary(const coupling::Case& input, const meshes::Section& section)
   if (input.run_out)
     stages += stages.empty() ? "run-out" : ", run-out";
   page.row("stages", stages);
+  for (const std::string& text : section.warnings)
+    page.row("warning", text);
   return page.text_;
 }
 } // namespace berm::app

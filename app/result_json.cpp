@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace berm::app
@@ -48,8 +49,40 @@ Json seconds(const Seconds& s)
   return {{"wall", s.wall}, {"cpu", s.cpu}};
 }
 
-Json section_json(const meshes::Section& s)
+/// What a boundary on a stretch of the section is.
+const char* kind_name(seepage::BoundaryKind kind)
 {
+  switch (kind)
+  {
+  case seepage::BoundaryKind::impervious:
+    return "impervious";
+  case seepage::BoundaryKind::head:
+    return "head";
+  case seepage::BoundaryKind::seepage_face:
+    return "seepage_face";
+  case seepage::BoundaryKind::inflow:
+    return "inflow";
+  case seepage::BoundaryKind::rain:
+    return "rain";
+  case seepage::BoundaryKind::overflow:
+    break;
+  }
+  return "overflow";
+}
+
+Json section_json(const coupling::Case& input, const meshes::Section& s)
+{
+  Json inner = Json::array();
+  for (const meshes::InnerLine& line : s.inner_lines)
+  {
+    const meshes::Stretch& stretch = s.stretches[static_cast<std::size_t>(line.stretch)];
+    inner.push_back(
+        {{"name", stretch.name},
+         {"kind",
+          kind_name(
+              input.marked_boundaries.at(static_cast<std::size_t>(stretch.marked_line)).kind)},
+         {"line_m", points(line.points)}});
+  }
   return {{"x_min_m", s.x_min},
           {"x_max_m", s.x_max},
           {"y_min_m", s.y_min},
@@ -58,7 +91,9 @@ Json section_json(const meshes::Section& s)
           {"outline_m", points(s.outline)},
           {"ground_m", points(s.ground)},
           {"left_level_m", or_null(s.left_pool_level)},
-          {"right_level_m", or_null(s.right_pool_level)}};
+          {"right_level_m", or_null(s.right_pool_level)},
+          {"overflow_crest_m", s.overflow ? point(s.overflow->crest) : Json(nullptr)},
+          {"inner_lines", inner}};
 }
 
 Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysis)
@@ -75,8 +110,9 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
                           {"pore_pressure_kPa", p.pore_pressure / 1e3}});
   for (std::size_t i = 0; i < std::min(s.stretch_inflow.size(), analysis.section.stretches.size());
        ++i)
-    stretches.push_back(
-        {{"name", analysis.section.stretches[i].name}, {"inflow_m2_s", s.stretch_inflow[i]}});
+    stretches.push_back({{"name", analysis.section.stretches[i].name},
+                         {"inflow_m2_s", s.stretch_inflow[i]},
+                         {"runoff_m2_s", s.stretch_runoff[i]}});
   for (const seepage::SolveHistory& h : s.history)
     meshes.push_back({{"unknowns", h.unknowns},
                       {"strategy", h.strategy},
@@ -93,6 +129,8 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
           {"inflow_m2_s", s.inflow},
           {"outflow_m2_s", s.outflow},
           {"balance", s.balance},
+          {"rain_m2_s", s.rain},
+          {"runoff_m2_s", std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0)},
           {"stretches", stretches},
           {"probes", probe_list},
           {"meshes", meshes},
@@ -396,7 +434,7 @@ Json result_json(const coupling::Case& input, const coupling::Analysis& analysis
                {"case", {{"path", input.path}, {"overrides", input.overrides}}},
                {"complete", complete(input, analysis)},
                {"interrupted", analysis.interrupted},
-               {"section", section_json(analysis.section)}};
+               {"section", section_json(input, analysis.section)}};
   if (analysis.seepage)
     json["seepage"] = seepage_json(input, analysis);
   if (analysis.stability)

@@ -47,7 +47,7 @@ seepage::Solution solve_seepage(const Case& input, const meshes::Section& sectio
   for (const Soil& soil : input.soils)
     conductivity.push_back(soil.conductivity.value());
   return seepage::solve(section, conductivity,
-                        seepage::boundary_conditions(section, input.marked_boundaries),
+                        seepage::boundary_conditions(section, input.marked_boundaries, input.rain),
                         input.seepage, observer);
 }
 #endif
@@ -334,6 +334,8 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
   Analysis analysis;
   analysis.section = meshes::build_section(input.section);
   const meshes::Section& section = analysis.section;
+  for (const std::string& text : section.warnings)
+    observer.warn(text);
 
 #ifdef BERM_WITH_SEEPAGE
   if (input.water.pore_pressure == PorePressureKind::seepage)

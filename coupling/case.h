@@ -75,6 +75,7 @@ struct Case
   std::vector<Soil> soils;            ///< the first covers what no zone covers
   Water water;
   std::vector<seepage::Boundary> marked_boundaries; ///< one for each marked line
+  double rain = 0;                                  ///< on open ground, seepage alone [m/s]
   seepage::Settings seepage;
   SphSettings sph;
   bool stability = true; ///< whether to look for the factor of safety

@@ -27,10 +27,13 @@ double level_at(const Polyline& line, double x)
   return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
 }
 
-/// Where a pool's surface meets the ground, seen from its end; the far end of the ground if it
-/// never does.
-Vec2 waterline(const Polyline& ground_from_pool, double level)
+/// Where a pool's surface meets the ground, seen from its end; where it runs over if it does so;
+/// the far end of the ground if it never meets it.
+Vec2 waterline(const Polyline& ground_from_pool, double level,
+               const std::optional<meshes::Overflow>& overflow)
 {
+  if (overflow && level > overflow->crest.y())
+    return {overflow->crest.x(), level};
   for (std::size_t k = 1; k < ground_from_pool.size(); ++k)
   {
     const Vec2 &a = ground_from_pool[k - 1], &b = ground_from_pool[k];
@@ -138,10 +141,12 @@ Polyline straight_free_surface(const meshes::Section& section)
     return {};
   const Polyline& ground = section.ground;
   const Polyline reversed(ground.rbegin(), ground.rend());
-  const Vec2 left =
-      section.left_pool_level ? waterline(ground, *section.left_pool_level) : toe(ground);
-  const Vec2 right =
-      section.right_pool_level ? waterline(reversed, *section.right_pool_level) : toe(reversed);
+  const Vec2 left = section.left_pool_level
+                        ? waterline(ground, *section.left_pool_level, section.overflow)
+                        : toe(ground);
+  const Vec2 right = section.right_pool_level
+                         ? waterline(reversed, *section.right_pool_level, section.overflow)
+                         : toe(reversed);
   if (left.x() >= right.x()) // one pool covers all of the ground
     return {{section.x_min, std::max(left.y(), right.y())},
             {section.x_max, std::max(left.y(), right.y())}};

@@ -39,7 +39,7 @@ using PorePressure =
                                                   const meshes::Section& section);
 
 /// @brief The straight line that the paper draws: pool level up to the waterline, then straight to
-/// the other pool's waterline or, without one, to the toe of the ground on that side. Empty if
-/// there is no pool.
+/// the other pool's waterline or, without one, to the toe of the ground on that side. A pool that
+/// runs over the crest ends there. Empty if there is no pool.
 [[nodiscard]] Polyline straight_free_surface(const meshes::Section& section);
 } // namespace berm::coupling

@@ -3,7 +3,9 @@
 
 #include "core/error.h"
 #include "meshes/planar.h"
+#include "meshes/planar_graph.h"
 #include "meshes/refine.h"
+#include "meshes/slit.h"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -13,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -21,97 +22,6 @@ namespace berm::meshes
 {
 namespace
 {
-//------------------------------------------------------------------------------------------------
-// Zone borders as edges that meet only at their ends
-//------------------------------------------------------------------------------------------------
-
-/// What gmsh conforms to. The outline's vertices are the first points, in order.
-struct PlanarGraph
-{
-  Polyline points;
-  std::vector<std::pair<std::size_t, std::size_t>> borders; ///< zone borders inside the outline
-};
-
-/// Whether the border of zone z can be seen at p: inside the section and under no later zone.
-bool visible(const Section& section, std::size_t z, const Vec2& p, double tolerance)
-{
-  if (!polygon_contains(section.outline, p) ||
-      nearest_edge(section.outline, p).distance <= tolerance)
-    return false;
-  for (std::size_t k = z + 1; k < section.zones.size(); ++k)
-  {
-    const Polyline& cover = section.zones[k].polygon;
-    if (polygon_contains(cover, p) && nearest_edge(cover, p).distance > tolerance)
-      return false;
-  }
-  return true;
-}
-
-/// Cut every zone edge where it meets another one, the outline, or a vertex. O(edges^2).
-/// Zones that miss each other by less than 1e-5 of the section are joined: the edge bends to the
-/// vertex.
-PlanarGraph zone_borders(const Section& section)
-{
-  const double size = std::max(section.x_max - section.x_min, section.y_max - section.y_min);
-  double reach = size;
-  for (const Zone& zone : section.zones)
-    reach = std::min(reach, healing_reach(zone.polygon, size));
-  PlanarGraph graph;
-  graph.points = section.outline;
-  const auto index_of = [&](const Vec2& p)
-  {
-    std::size_t best = graph.points.size();
-    double best_distance = reach;
-    for (std::size_t i = 0; i < graph.points.size(); ++i)
-      if (const double d = (graph.points[i] - p).norm(); d <= best_distance)
-      {
-        best = i;
-        best_distance = d;
-      }
-    if (best == graph.points.size())
-      graph.points.push_back(p);
-    return best;
-  };
-  for (const Zone& zone : section.zones)
-    for (const Vec2& p : zone.polygon)
-      index_of(p);
-  const Polyline corners = graph.points;
-
-  std::set<std::pair<std::size_t, std::size_t>> borders;
-  for (std::size_t z = 0; z < section.zones.size(); ++z)
-  {
-    const Polyline& polygon = section.zones[z].polygon;
-    for (std::size_t e = 0; e < polygon.size(); ++e)
-    {
-      const Vec2 &a = polygon[e], &b = polygon[next(e, polygon.size())];
-      std::vector<std::pair<double, std::size_t>> cuts;
-      const auto cut_at = [&](const Vec2& p)
-      { cuts.emplace_back(nearest_parameter(p, a, b), index_of(p)); };
-      for (const Vec2& p : corners)
-        if (distance(p, a, b) <= reach)
-          cut_at(p);
-      const auto cut_by = [&](const Polyline& other)
-      {
-        for (std::size_t k = 0; k < other.size(); ++k)
-          if (const auto p = crossing(a, b, other[k], other[next(k, other.size())]))
-            cut_at(*p);
-      };
-      cut_by(section.outline);
-      for (const Zone& other : section.zones)
-        cut_by(other.polygon);
-      std::sort(cuts.begin(), cuts.end());
-      for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
-      {
-        const auto [i, j] = std::minmax(cuts[c].second, cuts[c + 1].second);
-        if (i != j && visible(section, z, 0.5 * (graph.points[i] + graph.points[j]), reach))
-          borders.emplace(i, j);
-      }
-    }
-  }
-  graph.borders.assign(borders.begin(), borders.end());
-  return graph;
-}
-
 //------------------------------------------------------------------------------------------------
 // gmsh
 //------------------------------------------------------------------------------------------------
@@ -134,8 +44,8 @@ public:
       size_.fine = size_.coarse;
     for (std::size_t i = 0; i < outline; ++i)
       edges_.push_back({graph.points[i], graph.points[next(i, outline)], i, next(i, outline)});
-    for (const auto& [i, j] : graph.borders)
-      edges_.push_back({graph.points[i], graph.points[j], i, j});
+    for (const InsideEdge& edge : graph.inside)
+      edges_.push_back({graph.points[edge.from], graph.points[edge.to], edge.from, edge.to});
   }
 
   /// @param[in] factor  The wanted size is this many times as large.
@@ -224,8 +134,15 @@ int tag(std::size_t i)
   return static_cast<int>(i) + 1;
 }
 
-TriangleMesh mesh_with(int algorithm, const Section& section, const PlanarGraph& graph,
-                       const SizeField& field, double factor)
+/// A mesh and those of its edges that lie on inner lines.
+struct Meshed
+{
+  TriangleMesh mesh;
+  std::vector<SlitEdge> slits;
+};
+
+Meshed mesh_with(int algorithm, const Section& section, const PlanarGraph& graph,
+                 const SizeField& field, double factor)
 {
   const Gmsh session;
   gmsh::option::setNumber("Mesh.Algorithm", algorithm);
@@ -234,16 +151,16 @@ TriangleMesh mesh_with(int algorithm, const Section& section, const PlanarGraph&
   const std::size_t n = section.outline.size();
   std::vector<bool> used(graph.points.size(), false);
   std::fill_n(used.begin(), n, true);
-  for (const auto& [i, j] : graph.borders)
-    used[i] = used[j] = true;
+  for (const InsideEdge& edge : graph.inside)
+    used[edge.from] = used[edge.to] = true;
   for (std::size_t i = 0; i < graph.points.size(); ++i)
     if (used[i])
       gmsh::model::geo::addPoint(graph.points[i].x(), graph.points[i].y(), 0, 0, tag(i));
   std::vector<int> outline, inside;
   for (std::size_t i = 0; i < n; ++i)
     outline.push_back(gmsh::model::geo::addLine(tag(i), tag(next(i, n)), tag(i)));
-  for (const auto& [i, j] : graph.borders)
-    inside.push_back(gmsh::model::geo::addLine(tag(i), tag(j)));
+  for (const InsideEdge& edge : graph.inside)
+    inside.push_back(gmsh::model::geo::addLine(tag(edge.from), tag(edge.to)));
   gmsh::model::geo::addCurveLoop(outline, 1);
   gmsh::model::geo::addPlaneSurface({1}, 1);
   gmsh::model::geo::synchronize();
@@ -267,7 +184,8 @@ TriangleMesh mesh_with(int algorithm, const Section& section, const PlanarGraph&
   std::vector<Index> index(largest + 1, -1);
   for (const std::size_t t : corners)
     index.at(t) = 0;
-  TriangleMesh mesh;
+  Meshed result;
+  TriangleMesh& mesh = result.mesh;
   for (std::size_t i = 0; i < node_tags.size(); ++i)
     if (index[node_tags[i]] == 0)
     {
@@ -276,18 +194,27 @@ TriangleMesh mesh_with(int algorithm, const Section& section, const PlanarGraph&
     }
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
     mesh.triangles.push_back({index[corners[t]], index[corners[t + 1]], index[corners[t + 2]]});
-  for (std::size_t k = 0; k < n; ++k)
+  const auto edges_of = [&](int line)
   {
     element_tags.clear(); // gmsh fills what it is given without making it smaller
     corners.clear();
-    gmsh::model::mesh::getElementsByType(1, element_tags, corners, tag(k));
+    gmsh::model::mesh::getElementsByType(1, element_tags, corners, line);
+    std::vector<std::array<Index, 2>> edges;
     for (std::size_t e = 0; e + 1 < corners.size(); e += 2)
+      edges.push_back({index.at(corners[e]), index.at(corners[e + 1])});
+    return edges;
+  };
+  for (std::size_t k = 0; k < n; ++k)
+    for (const std::array<Index, 2>& edge : edges_of(tag(k)))
     {
-      mesh.boundary.push_back({index.at(corners[e]), index.at(corners[e + 1])});
+      mesh.boundary.push_back(edge);
       mesh.boundary_stretch.push_back(section.edge_stretch[k]);
     }
-  }
-  return mesh;
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    if (graph.inside[k].stretch >= 0)
+      for (const std::array<Index, 2>& edge : edges_of(inside[k]))
+        result.slits.push_back({edge, graph.inside[k].stretch});
+  return result;
 }
 
 //------------------------------------------------------------------------------------------------
@@ -333,10 +260,13 @@ TriangleMesh mesh_at(double factor, const Section& section, const PlanarGraph& g
   {
     try
     {
-      TriangleMesh mesh = mesh_with(algorithm, section, graph, field, factor);
-      problem = finish(section, mesh);
+      Meshed result = mesh_with(algorithm, section, graph, field, factor);
+      problem = finish(section, result.mesh);
       if (problem.empty())
-        return mesh;
+      {
+        cut_open(result.mesh, result.slits);
+        return std::move(result.mesh);
+      }
     }
     catch (const std::exception& error)
     {
@@ -356,7 +286,7 @@ TriangleMesh triangulate(const Section& section, const ElementSize& size)
   if (!(size.coarse > 0) || !std::isfinite(size.coarse))
     throw InputError({{"seepage.element_size_m", fmt::format("{:.10g}", size.coarse),
                        "no edge length", "> 0", ""}});
-  const PlanarGraph graph = zone_borders(section);
+  const PlanarGraph graph = planar_graph(section);
   const SizeField field(size, graph, section.outline.size());
   // gmsh takes 30 to 75 us a node, halving the edges of a coarser mesh a tenth of that.
   constexpr double largest = 12000; // nodes that gmsh is asked for

@@ -26,8 +26,8 @@ struct SectionInput
   Polyline outline; ///< closed simple polygon [m], either orientation, used if ground is empty
   std::vector<Zone> zones; ///< a later zone covers an earlier one; uncovered parts are soil 0
   std::optional<double> left_pool_level, right_pool_level; ///< [m]
-  std::vector<Polyline>
-      marked_lines; ///< lines on the outline that become stretches of their own [m]
+  std::vector<Polyline> marked_lines; ///< lines on the outline or through the soil that become
+                                      ///< stretches of their own [m]
 };
 
 enum class StretchKind
@@ -35,19 +35,35 @@ enum class StretchKind
   ground,     ///< dry ground: air above
   left_pool,  ///< ground under the left pool
   right_pool, ///< ground under the right pool
+  overflow,   ///< ground that a pool above the crest runs down
   base,
   left_side,  ///< vertical end of the section at its smallest x, below the ground
   right_side, ///< the same at its largest x
   marked      ///< on one of the user's marked lines
 };
 
-/// A named part of the outline.
+/// A named part of the outline, or a line inside it.
 struct Stretch
 {
   StretchKind kind = StretchKind::ground;
   Index marked_line = -1; ///< which of SectionInput::marked_lines, for StretchKind::marked
-  std::string name; ///< "ground", "left_pool", "right_pool", "base", "left_side", "right_side",
-                    ///< "marked_1", ...
+  std::string name;       ///< "ground", "left_pool", "right_pool", "overflow", "base", "left_side",
+                          ///< "right_side", "marked_1", ...
+};
+
+/// A wall, drain or well of no thickness inside the section: the mesh is cut open along it.
+struct InnerLine
+{
+  Polyline points;   ///< inside the outline; its first and last point may be vertices of it [m]
+  Index stretch = 0; ///< index into Section::stretches
+};
+
+/// A pool that stands above the crest and runs over it. From the crest on the depth of the water
+/// falls by one metre a metre, to that of a film: docs/theory.md eq. (2.36).
+struct Overflow
+{
+  Vec2 crest = Vec2::Zero(); ///< the highest ground, at the end that faces the pool [m]
+  double depth = 0;          ///< of the water over it [m]
 };
 
 /// A validated section. The ground is the upper chain of the outline from its smallest to its
@@ -59,6 +75,7 @@ struct Section
   std::vector<Index>
       edge_stretch; ///< edge k joins outline[k] and outline[k+1]; index into stretches
   std::vector<Stretch> stretches;                          ///< those that occur
+  std::vector<InnerLine> inner_lines;                      ///< marked lines through the soil
   std::vector<Zone> zones;                                 ///< counter-clockwise
   Polyline ground;                                         ///< left to right [m]
   Polyline base;                                           ///< left to right [m]
@@ -67,13 +84,22 @@ struct Section
   double left_side_top = 0,
          right_side_top = 0; ///< upper end of the sides; equal to the base's end if none [m]
   bool single_valued = true; ///< ground and base are functions of x (vertical steps allowed)
+  std::optional<Overflow> overflow;
+  std::vector<std::string> warnings; ///< doubtful but legal, a sentence each
 };
 
 /// @brief Check the drawing and derive outline, stretches and waterline vertices.
 /// A pool covers the ground from its end of the section to the first point that rises above its
-/// level. A marked line takes precedence over everything else, a later one over an earlier one. A
-/// level base that is wider than the ground is cut to it. A pool that covers all the ground is the
-/// left one if both levels are given and equal. A pool level at the ground's end is no pool.
+/// level. A pool level at the ground's end is no pool. A level above all the ground covers all of
+/// it if both levels are equal, or if the other one is not given and the highest ground lies at an
+/// end of the section: nothing dams the water. If there is a crest between lower ends, the pool
+/// overtops it: it covers the ground up to the crest, the ground beyond is of kind overflow, down
+/// to where the other pool stands as high.
+/// A marked line takes precedence over everything else, a later one over an earlier one. One with a
+/// point inside the section is an inner line, and so is one of two points on the outline which the
+/// outline between them leaves by more than a tenth of their distance. Inner lines may cross and
+/// touch each other, but the outline only at their ends. A level base that is wider than the ground
+/// is cut to it.
 /// Tolerances, relative to the larger extent of the section: points within 1e-9 are one; zone
 /// corners within 1e-5 of the outline or of an earlier zone are moved onto it (less for thin
 /// zones); marked lines may lie 1e-4 off. Keys in messages count zones and boundaries from 1:
@@ -81,8 +107,8 @@ struct Section
 /// @throws InputError with every mistake found: crossing edges, wrong order, base above ground,
 /// zero
 ///         area, zones that are not simple or lie outside, a pool below the ground at its end, a
-///         pool that flows over the section towards a different level, a marked line that is not on
-///         the outline.
+///         pool above all ground beside a different level with no crest between them, a marked line
+///         that lies outside, is part on the outline and part inside, or on another inner line.
 [[nodiscard]] Section build_section(const SectionInput& input);
 
 /// @brief Level of the ground (highest, at a vertical step) or of the base (lowest) at x [m].

@@ -124,13 +124,14 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
   const Stopwatch watch;
   const Problem problem{conductivity, boundary};
   const Stretching stretching(section, conductivity);
-  const meshes::Section drawn = stretching.stretched(with_head_levels(section, boundary));
+  const meshes::Section with_levels = with_head_levels(section, boundary);
+  const meshes::Section drawn = stretching.stretched(with_levels);
 
   // Step 1: a mesh that shows the section.
   Stopwatch mesh_watch;
   meshes::ElementSize size;
-  size.coarse =
-      settings.element_size > 0 ? settings.element_size : default_element_size(drawn, boundary);
+  size.coarse = settings.element_size > 0 ? settings.element_size
+                                          : default_element_size(with_levels, boundary, drawn);
   meshes::TriangleMesh mesh = stretching.unstretched(meshes::triangulate(drawn, size));
   double mesh_seconds = mesh_watch.elapsed().wall;
 

@@ -14,9 +14,9 @@ namespace berm::seepage
 {
 namespace
 {
-// The height over so many, the drop of the water over so many, but the area not in more squares
-// than this.
-constexpr double elements_over_height = 20, elements_over_drop = 12, largest_default_mesh = 4000;
+// The smaller extent over so many, the drop of the water over so many, but the area not in more
+// squares than this.
+constexpr double elements_over_extent = 20, elements_over_drop = 12, largest_default_mesh = 4000;
 constexpr int samples = 60; ///< of the soils, along each axis
 
 /// Index of the soil that covers the largest part of the section, as far as samples tell.
@@ -34,6 +34,20 @@ std::size_t most_widespread_soil(const meshes::Section& section, std::size_t soi
         ++count[soil];
     }
   return static_cast<std::size_t>(std::ranges::max_element(count) - count.begin());
+}
+
+/// The line with a point where it crosses a level.
+Polyline with_level(const Polyline& line, double level, double tolerance)
+{
+  Polyline result{line.front()};
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    const Vec2 &a = line[k - 1], &b = line[k];
+    if (std::min(a.y(), b.y()) < level - tolerance && std::max(a.y(), b.y()) > level + tolerance)
+      result.emplace_back(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()), level);
+    result.push_back(b);
+  }
+  return result;
 }
 
 void map(Polyline& line, const Eigen::Matrix2d& m)
@@ -65,6 +79,8 @@ meshes::Section Stretching::stretched(meshes::Section section) const
   map(section.outline, m_);
   for (meshes::Zone& zone : section.zones)
     map(zone.polygon, m_);
+  for (meshes::InnerLine& line : section.inner_lines)
+    map(line.points, m_);
   map(section.ground, m_);
   map(section.base, m_);
   const auto [x_min, x_max] =
@@ -90,7 +106,6 @@ meshes::TriangleMesh Stretching::unstretched(meshes::TriangleMesh mesh) const
   return mesh;
 }
 
-/// The outline with a vertex wherever it crosses the head level of its own stretch.
 meshes::Section with_head_levels(const meshes::Section& section,
                                  const std::vector<Boundary>& boundary)
 {
@@ -116,29 +131,38 @@ meshes::Section with_head_levels(const meshes::Section& section,
       result.edge_stretch.push_back(stretch);
     }
   }
+  for (meshes::InnerLine& line : result.inner_lines)
+    if (const Boundary& condition = boundary[static_cast<std::size_t>(line.stretch)];
+        condition.kind == BoundaryKind::head)
+      line.points = with_level(line.points, condition.value, tolerance);
   return result;
 }
 
-/// Edge length such that the section's height and the drop of the water have enough elements.
-double default_element_size(const meshes::Section& section, const std::vector<Boundary>& boundary)
+double default_element_size(const meshes::Section& section, const std::vector<Boundary>& boundary,
+                            const meshes::Section& stretched)
 {
   double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-  for (std::size_t k = 0; k < section.outline.size(); ++k)
+  const auto see = [&](const Boundary& condition, const Vec2& a, const Vec2& b)
   {
-    const Boundary& condition = boundary[static_cast<std::size_t>(section.edge_stretch[k])];
     if (condition.kind == BoundaryKind::head)
     {
       highest = std::max(highest, condition.value);
       lowest = std::min(lowest, condition.value);
     }
-    if (condition.kind == BoundaryKind::seepage_face)
-      lowest = std::min({lowest, section.outline[k].y(),
-                         section.outline[meshes::next(k, section.outline.size())].y()});
-  }
-  const double by_height = (section.y_max - section.y_min) / elements_over_height;
-  const double by_drop = highest > lowest ? (highest - lowest) / elements_over_drop : by_height;
+    else if (may_hold_pressure(condition.kind))
+      lowest = std::min({lowest, a.y(), b.y()});
+  };
+  for (std::size_t k = 0; k < section.outline.size(); ++k)
+    see(boundary[static_cast<std::size_t>(section.edge_stretch[k])], section.outline[k],
+        section.outline[meshes::next(k, section.outline.size())]);
+  for (const meshes::InnerLine& line : section.inner_lines)
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      see(boundary[static_cast<std::size_t>(line.stretch)], line.points[k - 1], line.points[k]);
+  const double by_extent =
+      std::min(stretched.x_max - stretched.x_min, stretched.y_max - stretched.y_min) /
+      elements_over_extent;
+  const double by_drop = highest > lowest ? (highest - lowest) / elements_over_drop : by_extent;
   const double by_area = std::sqrt(meshes::polygon_area(section.outline) / largest_default_mesh);
-  return std::max(std::min(by_height, by_drop), by_area);
+  return std::max(std::min(by_extent, by_drop), by_area);
 }
-
 } // namespace berm::seepage

@@ -30,12 +30,14 @@ private:
   Eigen::Matrix2d m_ = Eigen::Matrix2d::Identity(), inverse_ = m_;
 };
 
-/// @brief The section with a vertex wherever its outline crosses the head level of its own stretch.
+/// @brief The section with a vertex wherever its outline or an inner line crosses the head level of
+/// its own stretch.
 [[nodiscard]] meshes::Section with_head_levels(const meshes::Section& section,
                                                const std::vector<Boundary>& boundary);
 
-/// @brief Edge length such that the section's height and the drop of the water have enough
-/// elements [m].
+/// @brief Edge length such that the stretched section's smaller extent and the drop of the water
+/// have enough elements [m].
 [[nodiscard]] double default_element_size(const meshes::Section& section,
-                                          const std::vector<Boundary>& boundary);
+                                          const std::vector<Boundary>& boundary,
+                                          const meshes::Section& stretched);
 } // namespace berm::seepage

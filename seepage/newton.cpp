@@ -145,6 +145,8 @@ public:
     const bool flows = now.flow() > now.rounding;
     history_.residual = flows ? now.imbalance / now.flow() : 0;
     history_.discharge = flows ? now.inflow : 0;
+    for (std::size_t i = 0; i < F_.size(); ++i)
+      F_[i] += conditions_.rain[i];
     return {.p = std::move(p_),
             .entering = std::move(F_),
             .active = std::move(active_),
@@ -298,11 +300,13 @@ private:
     Totals t;
     for (std::size_t i = 0; i < F_.size(); ++i)
     {
-      const double reaction = fixed_[i] ? F_[i] : 0;
+      // Rain that runs off does not pass: what counts is the net of both.
+      const double passes = (fixed_[i] ? F_[i] : 0) + conditions_.rain[i];
+      const double prescribed = conditions_.load[i] - conditions_.rain[i];
       if (!fixed_[i])
         t.imbalance += std::abs(F_[i]);
-      t.inflow += std::max(reaction, 0.0) + std::max(conditions_.load[i], 0.0);
-      t.outflow += std::max(-reaction, 0.0) + std::max(-conditions_.load[i], 0.0);
+      t.inflow += std::max(passes, 0.0) + std::max(prescribed, 0.0);
+      t.outflow += std::max(-passes, 0.0) + std::max(-prescribed, 0.0);
     }
     // F sums products of conductivity and pressure head that cancel where the head is constant.
     for (std::size_t k = 0; k < mesh_.triangles.size(); ++k)

@@ -33,7 +33,7 @@ struct Field
 {
   std::vector<double> p; ///< pressure head [m], shape (n)
   std::vector<double>
-      entering; ///< water that enters at each node beyond its load [m2/s], shape (n)
+      entering; ///< water that enters at each node, prescribed inflow left out [m2/s], shape (n)
   std::vector<std::uint8_t> active; ///< 1 on the active seepage face, shape (n)
   double inflow = 0, outflow = 0;   ///< [m2/s]; both 0 if nothing but rounding flows
   SolveHistory history;

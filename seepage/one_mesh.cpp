@@ -119,8 +119,7 @@ BoundaryFlow boundary_flow(const meshes::TriangleMesh& mesh, const std::vector<B
   const auto fixed = [&](std::size_t i)
   { return conditions.kind[i] == NodeKind::head || field.active[i]; };
   for (std::size_t i = 0; i < n; ++i)
-    if (fixed(i))
-      flow.reaction[i] = field.entering[i];
+    flow.reaction[i] = fixed(i) ? field.entering[i] : conditions.rain[i];
   for (std::size_t e = 0; e < edges; ++e)
   {
     const Boundary& condition = boundary[static_cast<std::size_t>(mesh.boundary_stretch[e])];
@@ -128,9 +127,7 @@ BoundaryFlow boundary_flow(const meshes::TriangleMesh& mesh, const std::vector<B
                j = static_cast<std::size_t>(mesh.boundary[e][1]);
     if (condition.kind == BoundaryKind::inflow)
       flow.edge_inflow[e] = condition.value * (mesh.nodes[j] - mesh.nodes[i]).norm();
-    flow.head_known[e] =
-        (condition.kind == BoundaryKind::head || condition.kind == BoundaryKind::seepage_face) &&
-        fixed(i) && fixed(j);
+    flow.head_known[e] = may_hold_pressure(condition.kind) && fixed(i) && fixed(j);
   }
   return flow;
 }
@@ -149,7 +146,7 @@ GivenFlow given_flow(const meshes::TriangleMesh& mesh, const std::vector<Boundar
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
   {
     const Boundary& condition = boundary[static_cast<std::size_t>(mesh.boundary_stretch[e])];
-    result.given.push_back(!flow.head_known[e]);
+    result.given.push_back(!flow.head_known[e] && condition.kind != BoundaryKind::rain);
     result.flux.push_back(condition.kind == BoundaryKind::inflow ? condition.value : 0);
   }
   return result;
@@ -192,6 +189,9 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   MeshSolution result;
   result.conditions = node_conditions(mesh, problem.boundary);
   const NodeConditions& conditions = result.conditions;
+  if (!coarser)
+    for (const std::string& text : conditions.warnings)
+      observer.warn(text);
   double height = 0;
   for (const Vec2& x : mesh.nodes)
     height = std::max(height, conditions.highest_head - x.y());
@@ -199,11 +199,12 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   // Step 1: the conductivities and their smoothing.
   const std::vector<Conductivity> k_sat = conductivities(mesh, problem.conductivity);
   std::vector<ConductivityTensor> tensors;
-  std::vector<double> k_mean;
+  std::vector<double> k_mean, k_vertical;
   for (const Conductivity& k : k_sat)
   {
     tensors.push_back(tensor(k));
     k_mean.push_back(mean(k));
+    k_vertical.push_back(tensors.back().yy);
   }
   const double k_low = std::ranges::min(k_mean);
   const std::vector<double> size = element_sizes(mesh);
@@ -223,7 +224,8 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
                                           { return law.curve.scale > 0; });
 
   // Step 2: the pressure.
-  const std::vector<double> weight = face_weight(mesh, conditions.face_edges);
+  std::vector<double> weight = face_weight(mesh, conditions.face_edges);
+  limit_weight(mesh, k_vertical, conditions.heaviest_rain, weight);
   FlowOperator flow(mesh, tensors, weight, curves);
   result.field = solve_by_strategies(flow, mesh, conditions, laws,
                                      {.height = height, .conductivity = k_mean}, coarser, observer);
@@ -260,8 +262,12 @@ Solution finished(MeshSolution last, const Problem& problem)
   solution.outflow = field.outflow;
   solution.balance = field.inflow > 0 ? std::abs(field.inflow - field.outflow) / field.inflow : 0;
   BoundaryFlow at_boundary = boundary_flow(last.mesh, problem.boundary, last.conditions, field);
-  solution.stretch_inflow =
-      stretch_inflow(last.mesh, problem.boundary, last.conditions, at_boundary.reaction);
+  StretchWater water =
+      stretch_water(last.mesh, problem.boundary, last.conditions, at_boundary.reaction);
+  solution.stretch_inflow = std::move(water.inflow);
+  solution.stretch_runoff = std::move(water.runoff);
+  for (const double rain : last.conditions.rain)
+    solution.rain += rain;
   solution.stream_function =
       field.inflow > 0
           ? stream_function(last.mesh, last.effective, solution.head, at_boundary, field.inflow)

@@ -24,13 +24,16 @@ enum class BoundaryKind
   impervious,
   head,         ///< value: head [m]
   seepage_face, ///< p = 0 where water comes out, no flow where it does not
-  inflow        ///< value: Darcy flux into the soil [m/s]
+  inflow,       ///< value: Darcy flux into the soil, on each side of an inner line [m/s]
+  rain,    ///< value: rate on the horizontal [m/s], >= 0; what does not enter runs off at p = 0
+  overflow ///< value: depth of the water over the crest [m]; docs/theory.md eq. (2.36)
 };
 
 struct Boundary
 {
   BoundaryKind kind = BoundaryKind::impervious;
   double value = 0;
+  double crest_x = 0; ///< of kind overflow: where the water comes from [m]
 };
 
 struct Settings
@@ -45,10 +48,13 @@ struct Settings
 };
 
 /// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage
-/// face, sides and base are impervious, marked lines are what the user said.
-/// @param[in] marked  One entry for each marked line.
+/// face, under rain if there is any, sides and base are impervious, marked lines are what the user
+/// said.
+/// @param[in] marked  One entry for each marked line; not rain for an inner one.
+/// @param[in] rain    On open ground [m/s], >= 0.
 [[nodiscard]] std::vector<Boundary> boundary_conditions(const meshes::Section& section,
-                                                        const std::vector<Boundary>& marked);
+                                                        const std::vector<Boundary>& marked,
+                                                        double rain = 0);
 
 /// @brief Solve steady unconfined Darcy flow on the section.
 /// Saturated flow with a sharp free surface, or with a capillary fringe in soils that have a
@@ -62,9 +68,10 @@ struct Settings
 /// @param[in] boundary      One entry for each stretch of the section.
 /// @throws NotConverged if Newton, the active set or the water balance does not, or if the observer
 ///         asks to stop; with the history.
-/// @throws InputError if no head is given anywhere, or all lie below their boundary; if a
-/// conductivity
-///         is missing or not positive.
+/// Where no head lies above its boundary and no inflow or rain is given, the soil is dry: the head
+/// is that of the lowest point, nothing flows, and the observer is warned.
+/// @throws InputError if a piece of the section has neither a head nor a seepage face, or has water
+///         taken out and none put in; if a conductivity is missing or not positive.
 /// @throws NumericalError naming the place if the pressure is not finite.
 [[nodiscard]] Solution solve(const meshes::Section& section,
                              const std::vector<Conductivity>& conductivity,

@@ -46,9 +46,12 @@ struct Solution
   /// Darcy flux k_r K (-grad head) in each triangle [m/s], shape (m).
   std::vector<Vec2> flux;
   /// Stream function at the nodes [m2/s], shape (n): q = (d psi / dy, -d psi / dx), from its own
-  /// solve; docs/theory.md eq. (2.13). 0 if only rounding flows.
+  /// solve; docs/theory.md eq. (2.13). 0 if only rounding flows. On the two sides of a wall right
+  /// through, each is counted from its own smallest value. Empty if water enters or leaves through
+  /// a line inside the section that does not begin on its outline: then psi has many values.
   std::vector<double> stream_function;
-  /// Water that enters at each node, prescribed inflow left out [m2/s], shape (n).
+  /// Water that enters at each node, prescribed inflow left out, rain that enters included [m2/s],
+  /// shape (n).
   std::vector<double> reaction;
   /// p = 0 inside the soil [m], from left to right, longest first.
   std::vector<Polyline> phreatic_lines;
@@ -60,6 +63,8 @@ struct Solution
   double balance = 0;             ///< |inflow - outflow| / inflow [-]
   /// Water that enters through each of the section's stretches [m2/s], > 0 into the soil.
   std::vector<double> stretch_inflow;
+  double rain = 0;                    ///< that falls on the section [m2/s]
+  std::vector<double> stretch_runoff; ///< of it, what does not enter each stretch, >= 0 [m2/s]
   ErrorEstimate error;
   std::vector<SolveHistory> history; ///< one entry a mesh, coarse to fine
   Seconds seconds;

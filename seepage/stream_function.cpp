@@ -2,6 +2,9 @@
 #include "seepage/stream_function.h"
 
 #include "meshes/boundary_walk.h"
+#include "meshes/planar.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,12 +22,12 @@ struct GivenValues
   std::vector<double> psi;         ///< 0 where not given [m2/s], shape (n)
 };
 
+using Loop = std::vector<std::size_t>; ///< rows of mesh.boundary
+
 /// docs/theory.md eq. (2.14), once round: psi falls by what enters.
-GivenValues values_along(const meshes::TriangleMesh& mesh, const BoundaryFlow& flow)
+void give_along(const meshes::TriangleMesh& mesh, const BoundaryFlow& flow, Loop edges,
+                GivenValues& values)
 {
-  GivenValues values{.given = std::vector<std::uint8_t>(mesh.nodes.size(), 0),
-                     .psi = std::vector<double>(mesh.nodes.size(), 0)};
-  std::vector<std::size_t> edges = meshes::edges_along(mesh);
   const auto known = [&](std::size_t k) { return flow.head_known[edges[k]] != 0; };
   // From the end of a stretch of known head, so that no such stretch is split.
   std::size_t first = 0;
@@ -52,7 +55,50 @@ GivenValues values_along(const meshes::TriangleMesh& mesh, const BoundaryFlow& f
     if (known(k) && !known(k + 1))
       give(node, psi);
   }
-  return values;
+}
+
+/// Twice the area that the loop goes round, counter-clockwise [m2]; 0 on a slit but for rounding.
+double twice_area(const meshes::TriangleMesh& mesh, const Loop& loop)
+{
+  const Vec2& origin = mesh.nodes[static_cast<std::size_t>(mesh.boundary[loop.front()][0])];
+  double sum = 0;
+  for (const std::size_t e : loop)
+    sum += meshes::cross(mesh.nodes[static_cast<std::size_t>(mesh.boundary[e][0])] - origin,
+                         mesh.nodes[static_cast<std::size_t>(mesh.boundary[e][1])] - origin);
+  return sum;
+}
+
+bool water_passes(const meshes::TriangleMesh& mesh, const BoundaryFlow& flow, const Loop& loop)
+{
+  return std::ranges::any_of(
+      loop,
+      [&](std::size_t e)
+      {
+        return flow.head_known[e] || flow.edge_inflow[e] != 0 ||
+               flow.reaction[static_cast<std::size_t>(mesh.boundary[e][0])] != 0;
+      });
+}
+
+/// The line round each piece of the mesh, and the walls in the soil, which are loops inside it.
+struct Loops
+{
+  std::vector<Loop> outer; ///< one for each piece
+  std::vector<Loop> holes;
+};
+
+Loops sorted_loops(const meshes::TriangleMesh& mesh, const std::vector<std::size_t>& piece)
+{
+  Loops loops;
+  loops.outer.resize(std::ranges::max(piece) + 1);
+  for (Loop& loop : meshes::boundary_loops(mesh))
+  {
+    Loop& outer = loops.outer[piece[static_cast<std::size_t>(mesh.boundary[loop.front()][0])]];
+    if (outer.empty() || twice_area(mesh, loop) > twice_area(mesh, outer))
+      std::swap(outer, loop);
+    if (!loop.empty())
+      loops.holes.push_back(std::move(loop));
+  }
+  return loops;
 }
 } // namespace
 
@@ -61,6 +107,12 @@ std::vector<double> stream_function(const meshes::TriangleMesh& mesh,
                                     std::span<const double> head, const BoundaryFlow& flow,
                                     double discharge)
 {
+  const std::vector<std::size_t> piece = meshes::pieces(mesh);
+  const auto [outer, holes] = sorted_loops(mesh, piece);
+  for (const Loop& hole : holes)
+    if (water_passes(mesh, flow, hole))
+      return {};
+
   const std::size_t n = mesh.nodes.size();
   // The operator adds y to its unknown; psi times the scale is of the same magnitude.
   const auto [low, high] = std::ranges::minmax(mesh.nodes, {}, [](const Vec2& x) { return x.y(); });
@@ -74,31 +126,93 @@ std::vector<double> stream_function(const meshes::TriangleMesh& mesh,
   }
   FlowOperator solver(mesh, dual, std::vector<double>(n, 1));
 
-  const GivenValues values = values_along(mesh, flow);
-  std::vector<double> unknown, right_side, correction;
-  for (std::size_t i = 0; i < n; ++i)
-    unknown.push_back(values.psi[i] / scale - mesh.nodes[i].y());
-  solver.residual(unknown, right_side);
-  for (double& r : right_side)
-    r *= -1;
+  GivenValues values{.given = std::vector<std::uint8_t>(n, 0), .psi = std::vector<double>(n, 0)};
+  for (const Loop& loop : outer)
+    give_along(mesh, flow, loop, values);
+  const auto nodes_of = [&](const Loop& loop)
+  {
+    std::vector<std::size_t> nodes;
+    for (const std::size_t e : loop)
+      nodes.push_back(static_cast<std::size_t>(mesh.boundary[e][0]));
+    return nodes;
+  };
+  for (const Loop& hole : holes)
+    for (const std::size_t i : nodes_of(hole))
+      values.given[i] = 1;
+
+  std::vector<double> shifted(n), residual, correction;
+  const auto evaluate = [&](const std::vector<double>& psi) // psi over the scale
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      shifted[i] = psi[i] - mesh.nodes[i].y();
+    solver.residual(shifted, residual);
+  };
+  /// Completes values given on the boundary, over the scale, to the solution for this load.
+  const auto complete = [&](std::vector<double> psi, const std::vector<double>& load)
+  {
+    evaluate(psi);
+    for (std::size_t i = 0; i < n; ++i)
+      residual[i] = load[i] - residual[i];
+    solver.correction(shifted, values.given, residual, correction);
+    for (std::size_t i = 0; i < n; ++i)
+      psi[i] += correction[i];
+    return psi;
+  };
+  std::vector<double> load(n, 0);
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     if (flow.head_known[e])
     {
       const auto i = static_cast<std::size_t>(mesh.boundary[e][0]),
                  j = static_cast<std::size_t>(mesh.boundary[e][1]);
-      right_side[i] += (head[j] - head[i]) / 2;
-      right_side[j] += (head[j] - head[i]) / 2;
+      load[i] += (head[j] - head[i]) / 2;
+      load[j] += (head[j] - head[i]) / 2;
     }
-  solver.correction(unknown, values.given, right_side, correction);
+  std::vector<double> given(values.psi);
+  for (double& value : given)
+    value /= scale;
+  std::vector<double> psi = complete(std::move(given), load);
 
-  std::vector<double> psi(n);
-  for (std::size_t i = 0; i < n; ++i)
-    psi[i] = values.psi[i] + scale * correction[i];
-  double smallest = std::numeric_limits<double>::infinity();
+  // Eq. (2.31): the values on walls in the soil, from the response to each.
+  const auto m = static_cast<Eigen::Index>(holes.size());
+  const auto circulations = [&](const std::vector<double>& field)
+  {
+    evaluate(field);
+    Eigen::VectorXd about(m);
+    for (Eigen::Index k = 0; k < m; ++k)
+    {
+      about[k] = 0;
+      for (const std::size_t i : nodes_of(holes[static_cast<std::size_t>(k)]))
+        about[k] += residual[i];
+    }
+    return about;
+  };
+  if (m > 0)
+  {
+    std::vector<std::vector<double>> response;
+    Eigen::MatrixXd of_response(m, m);
+    for (const Loop& hole : holes)
+    {
+      std::vector<double> one(n, 0);
+      for (const std::size_t i : nodes_of(hole))
+        one[i] = 1;
+      response.push_back(complete(std::move(one), std::vector<double>(n, 0)));
+      of_response.col(static_cast<Eigen::Index>(response.size()) - 1) =
+          circulations(response.back());
+    }
+    const Eigen::VectorXd c = of_response.partialPivLu().solve(-circulations(psi));
+    for (std::size_t k = 0; k < holes.size(); ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        psi[i] += c[static_cast<Eigen::Index>(k)] * response[k][i];
+  }
+
+  std::vector<double> smallest(outer.size(), std::numeric_limits<double>::infinity());
   for (const auto& edge : mesh.boundary)
-    smallest = std::min(smallest, psi[static_cast<std::size_t>(edge[0])]);
-  for (double& value : psi)
-    value -= smallest;
+  {
+    const auto i = static_cast<std::size_t>(edge[0]);
+    smallest[piece[i]] = std::min(smallest[piece[i]], psi[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    psi[i] = scale * (psi[i] - smallest[piece[i]]);
   return psi;
 }
 } // namespace berm::seepage

@@ -21,7 +21,7 @@ import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
-from matplotlib.tri import LinearTriInterpolator, Triangulation
+from matplotlib.tri import Triangulation
 
 import run_out
 from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
@@ -62,7 +62,7 @@ def seepage_figure(result, fields):
     levels = head_levels(head[np.unique(triangles[wet])])
     net = Triangulation(x, y, triangles[wet])
     filled = ax.tricontourf(net, head, levels=levels, cmap="Blues", alpha=0.75)
-    draw_flow_net(ax, result, net, head, fields["mesh/stream_function"][()], levels)
+    draw_flow_net(ax, result, net, fields, levels)
     draw_section(ax, result)
     draw_water_line(ax, result)
     exit_point = result["seepage"]["exit_point_m"]
@@ -90,33 +90,37 @@ def head_levels(head):
 STREAM_TUBES = 5
 
 
-def draw_flow_net(ax, result, net, head, psi, levels):
-    """Equipotentials in equal drops, dashed; stream lines between equal tubes, solid, with an arrow."""
+def draw_flow_net(ax, result, net, fields, levels):
+    """Equipotentials in equal drops, dashed; stream lines between equal tubes, solid, with an arrow.
+    Where water passes through a line in the soil there is no stream function to draw."""
+    head = fields["mesh/head"][()]
     q = result["seepage"]["discharge_m2_s"]
     drop = levels[1] - levels[0]
     ax.tricontour(net, head, levels=levels, colors="black", linewidths=0.6, linestyles=[(0, (4, 3))],
                   zorder=3)
     ax.plot([], [], color="black", lw=0.6, ls=(0, (4, 3)), label=f"equipotentials, drop {drop:.4g} m")
-    if q == 0:
+    if q == 0 or "stream_function" not in fields["mesh"]:
         return
+    psi = fields["mesh/stream_function"][()]
     tube = q / STREAM_TUBES
     lines = ax.tricontour(net, psi, levels=tube * np.arange(1, STREAM_TUBES), colors="black",
                           linewidths=1.1, linestyles="solid", zorder=4)
     ax.plot([], [], color="black", lw=1.1, label=f"stream lines, tube {tube:.3g} m²/s")
-    head_at = LinearTriInterpolator(net, head)
+    centres = fields["mesh/nodes"][()][fields["mesh/triangles"][()]].mean(axis=1)
+    flux = fields["mesh/flux"][()][:, :2]
     for level in lines.allsegs:
         for line in level:
-            add_arrow(ax, line, head_at)
+            add_arrow(ax, line, centres, flux)
 
 
-def add_arrow(ax, line, head_at):
-    """An arrow head in the middle of a stream line, down the head; none on mere specks."""
+def add_arrow(ax, line, centres, flux):
+    """An arrow head in the middle of a stream line, with the flow; none on mere specks."""
     way = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
     if way[-1] < 0.05 * np.ptp(ax.dataLim.intervalx):
         return
     before, middle, after = (np.array([np.interp(t * way[-1], way, x) for x in line.T])
                              for t in (0.47, 0.5, 0.53))
-    if head_at(*before) < head_at(*after):
+    if flux[np.argmin(((centres - middle) ** 2).sum(axis=1))] @ (after - before) < 0:
         before, after = after, before
     along = (after - before) / max(np.hypot(*(after - before)), 1e-300)
     ax.annotate("", middle + 1e-3 * along, middle, zorder=4,

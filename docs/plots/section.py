@@ -8,11 +8,14 @@ BLUE, SKY, ORANGE, GREEN, GREY = "#0072B2", "#56B4E9", "#D55E00", "#009E73", "#6
 PURPLE, YELLOW = "#CC79A7", "#F0E442"
 
 
-def pool_polygon(ground, level, side):
-    """Water on the ground from one end of the section to the first point above the level."""
+def pool_polygon(ground, level, side, crest=None):
+    """Water on the ground from one end of the section to the first point above the level, or to the
+    crest that it runs over."""
     ground = ground if side == "left" else ground[::-1]
     wet = [ground[0]]
     for a, b in zip(ground[:-1], ground[1:]):
+        if crest and level > crest[1] and a[0] == crest[0] and a[1] == crest[1]:
+            break
         if b[1] > level:
             t = (level - a[1]) / (b[1] - a[1])
             wet.append(a + t * (b - a))
@@ -30,10 +33,11 @@ def draw_section(ax, result):
     for side in ("left", "right"):
         level = section[f"{side}_level_m"]
         if level is not None:
-            pool = pool_polygon(ground, level, side)
+            pool = pool_polygon(ground, level, side, section["overflow_crest_m"])
             ax.fill(*pool.T, facecolor=SKY, alpha=0.35, lw=0, zorder=1)
             surface = pool[[0, -1]]
             ax.plot(*surface.T, color=BLUE, lw=1.2, zorder=1)
+    draw_inner_lines(ax, section)
     width = section["x_max_m"] - section["x_min_m"]
     height = section["y_max_m"] - section["y_min_m"]
     ax.set_xlim(section["x_min_m"] - 0.01 * width, section["x_max_m"] + 0.01 * width)
@@ -41,6 +45,18 @@ def draw_section(ax, result):
     ax.set_aspect("equal")
     ax.set_xlabel("x [m]")
     ax.set_ylabel("y [m]")
+
+
+def draw_inner_lines(ax, section):
+    """Walls thick and black; what water may pass through coloured."""
+    looks = {"impervious": ("black", "wall"), "head": (PURPLE, "given head"),
+             "seepage_face": (GREEN, "drain"), "inflow": (YELLOW, "inflow")}
+    drawn = set()
+    for line in section["inner_lines"]:
+        colour, label = looks[line["kind"]]
+        ax.plot(*np.array(line["line_m"]).T, color=colour, lw=3.2, solid_capstyle="butt", zorder=6,
+                label=None if label in drawn else label)
+        drawn.add(label)
 
 
 def figure_for(result):

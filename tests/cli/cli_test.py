@@ -343,6 +343,77 @@ class Cli(unittest.TestCase):
         self.assertAlmostEqual(result["seepage"]["discharge_over_k_m"], 3.317, delta=0.033)
         self.assertEqual(len(result["seepage"]["probes"]), 8)
 
+    def test_a_pool_above_the_crest_is_warned_of_and_runs_over(self):
+        case = CASES / ("seepage.toml" if HAS_SEEPAGE else "hydrostatic.toml")
+        high = ["--set", "water.left_level_m=31", "--set", "water.free_surface_m=[[0,9],[1,9]]"]
+        if HAS_SEEPAGE:
+            high = high[:2]
+        out, _ = self.berm("check", case, *high)
+        self.assertIn("the left pool, 31 m, stands above the crest, 28.6 m, at (99.83, 28.6)", out)
+        if not HAS_SEEPAGE:
+            return
+        out, err = self.berm("seepage", case, *high, *NO_FIGURES, "--out", "out")
+        self.assertIn("overtopping", err)
+        self.assertIn("overtopping", out)
+        result = self.result("out")
+        self.assertEqual(result["section"]["overflow_crest_m"], [99.83, 28.6])
+        names = [s["name"] for s in result["seepage"]["stretches"]]
+        self.assertIn("overflow", names)
+
+    def test_a_run_without_water_in_the_soil_finds_the_dry_factor(self):
+        if not HAS_SEEPAGE:
+            return
+        options = [*COARSE, *NO_FIGURES]
+        dry_pool = ["--set", "water.left_level_m=7.3"]
+        out, _ = self.berm("run", CASES / "seepage.toml", *dry_pool, *options, "--out", "pool")
+        self.assertIn("no water reaches the soil", out)
+        self.berm("run", DRY, *options, "--out", "dry")
+        self.assertEqual(self.result("pool")["seepage"]["discharge_m2_s"], 0)
+        self.assertEqual(self.result("pool")["stability"]["factor"],
+                         self.result("dry")["stability"]["factor"])
+
+    def test_a_floating_drain_is_drawn_without_stream_lines(self):
+        if not HAS_SEEPAGE:
+            return
+        drain = 'seepage.boundary=[{line_m=[[103,6],[135,6]], kind="seepage_face"}]'
+        figures = [] if CAN_PLOT else NO_FIGURES
+        self.berm("seepage", CASES / "seepage.toml", "--set", drain, *figures, "--out", "out")
+        self.assertNotIn("stream_function",
+                         (self.dir / "out" / "results_mesh.xdmf").read_text())
+        section = self.result("out")["section"]
+        self.assertEqual(section["inner_lines"], [{"name": "marked_1", "kind": "seepage_face",
+                                                   "line_m": [[103, 6], [135, 6]]}])
+        self.assertEqual((self.dir / "out" / "seepage.png").exists(), CAN_PLOT)
+
+    def test_rain_is_reported_with_what_runs_off(self):
+        if not HAS_SEEPAGE:
+            return
+        out, _ = self.berm("seepage", CASES / "seepage.toml", "--set", "seepage.rain_m_s=1e-6",
+                           *NO_FIGURES, "--out", "out")
+        self.assertIn("runs off", out)
+        seepage = self.result("out")["seepage"]
+        width = 191.4 - 33.5 - 66.33 * (24.4 - 7.3) / 21.3  # of the open ground
+        self.assertAlmostEqual(seepage["rain_m2_s"], 1e-6 * width, delta=1e-12)
+        self.assertAlmostEqual(seepage["runoff_m2_s"],
+                               sum(s["runoff_m2_s"] for s in seepage["stretches"]), delta=1e-15)
+        self.assertGreater(seepage["runoff_m2_s"], 0.5 * seepage["rain_m2_s"])  # 10 k: most of it
+
+    def test_lines_that_cannot_be_in_the_section_are_told_with_their_line(self):
+        if not HAS_SEEPAGE:
+            return
+        text = (CASES / "seepage.toml").read_text()
+        place = len(text.splitlines()) + 2
+        for line, problem in (
+            ("[[103, 20], [103, 40]]", "lies 11.4 m outside the section"),
+            ("[[-5, 3], [-9, 3]]", "outside the section"),
+            ("[[0, 7.3], [33.5, 7.3], [40, 3]]", "meets the outline here"),
+            ("[[90, 5], [100, 5], [100, 10], [95, 10], [95, 2]]", "crosses edge"),
+        ):
+            boundary = f'[[seepage.boundary]]\nline_m = {line}\nkind = "impervious"\n'
+            _, err = self.berm("check", self.write(text + boundary), code=2)
+            self.assertIn(f"case.toml:{place}: seepage.boundary[1].line_m", err)
+            self.assertIn(problem, err)
+
     def test_figures_are_drawn_for_every_stage(self):
         if not CAN_PLOT:
             _, err = self.berm("run", DRY, *COARSE)

@@ -170,6 +170,42 @@ TEST(CaseFile, GivesMistakesOfTheDrawingTheirLine)
   EXPECT_TRUE(zone.places.find("section.zone[1].polygon_m").text.ends_with(":17"));
 }
 
+/// The sound case with seepage, and these keys.
+std::vector<std::string> with_seepage(std::vector<std::string> overrides)
+{
+  overrides.insert(overrides.begin(),
+                   {"water.pore_pressure=seepage", "soil.fill.conductivity_m_s=1e-7"});
+  return overrides;
+}
+
+TEST(CaseFile, AsksForWaterThatIsNamedBeItDryInEffect)
+{
+  if (!seepage_built_in())
+    GTEST_SKIP();
+  EXPECT_NE(read_set(with_seepage({})).about("water.pore_pressure"), nullptr);
+  EXPECT_NE(read_set(with_seepage({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], "
+                                   "kind=\"inflow\", value=-1e-8}"}))
+                .about("water.pore_pressure"),
+            nullptr);
+  for (const char* water :
+       {"water.right_level_m=0", // the ground's level: no pool
+        "water.right_level_m=2", "seepage.rain_m_s=1e-8",
+        "seepage.boundary[1]={line_m=[[0,10],[12,10]], kind=\"rain\", value=1e-8}",
+        "seepage.boundary[1]={line_m=[[0,0],[5,0]], kind=\"inflow\", value=1e-8}"})
+    EXPECT_TRUE(read_set(with_seepage({water})).mistakes.empty())
+        << water << read_set(with_seepage({water})).text();
+}
+
+TEST(CaseFile, RefusesRainOnALineInTheSoil)
+{
+  if (!seepage_built_in())
+    GTEST_SKIP();
+  const ReadResult result = read_set(
+      with_seepage({"seepage.boundary[1]={line_m=[[5,0],[10,0]], kind=\"rain\", value=1e-8}"}));
+  ASSERT_NE(result.about("seepage.boundary[1].kind"), nullptr) << result.text();
+  EXPECT_NE(result.text().find("it does not rain inside the soil"), std::string::npos);
+}
+
 TEST(CaseFile, ChecksRulesThatConcernSeveralKeys)
 {
   const auto expect = [](const std::vector<std::string>& overrides, const std::string& key)
@@ -194,6 +230,10 @@ TEST(CaseFile, ChecksRulesThatConcernSeveralKeys)
   expect({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], kind=\"impervious\", value=1}"},
          "seepage.boundary[1].value");
   expect({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], kind=\"inflow\", value=2}"},
+         "seepage.boundary[1].value");
+  expect({"seepage.boundary[1]={line_m=[[0,10],[12,10]], kind=\"rain\"}"},
+         "seepage.boundary[1].value");
+  expect({"seepage.boundary[1]={line_m=[[0,10],[12,10]], kind=\"rain\", value=-1e-8}"},
          "seepage.boundary[1].value");
 }
 

@@ -45,6 +45,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"seepage.boundary[].line_m", "[[40, -5], [40, 0]]"},
     {"seepage.boundary[].kind", "\"head\""},
     {"seepage.boundary[].value", "1"},
+    {"seepage.rain_m_s", "1e-8"},
     {"seepage.element_size_m", "1"},
     {"seepage.tolerance", "1e-3"},
     {"seepage.phreatic_tolerance_m", "0.05"},

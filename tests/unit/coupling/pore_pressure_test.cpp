@@ -69,10 +69,20 @@ TEST(PorePressure, WithTwoPoolsTheLineJoinsTheirWaterlines)
   EXPECT_NEAR(line[1].x(), 157.9 - 50.77 * 2.7 / 21.3, 1e-9);
 }
 
+TEST(PorePressure, APoolThatRunsOverEndsAtTheCrest)
+{
+  meshes::SectionInput input = tests::embankment();
+  input.left_pool_level = 31;
+  const Polyline line = straight_free_surface(meshes::build_section(input));
+  ASSERT_EQ(line.size(), 2u);
+  EXPECT_EQ(line[0], Vec2(99.83, 31));
+  EXPECT_EQ(line[1], Vec2(157.9, 7.3)); // the toe
+}
+
 TEST(PorePressure, APoolOverEverythingIsALevelLine)
 {
   meshes::SectionInput input = tests::embankment();
-  input.left_pool_level = 40;
+  input.left_pool_level = input.right_pool_level = 40;
   const PorePressure p_w =
       hydrostatic_pore_pressure(straight_free_surface(meshes::build_section(input)));
   EXPECT_NEAR(at(p_w, 5, 5), 9810 * 35, 1e-9);

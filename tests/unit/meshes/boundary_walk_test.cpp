@@ -14,7 +14,9 @@ TEST(BoundaryWalk, FollowsTheOutlineWhateverTheOrderOfItsRows)
   TriangleMesh mesh = tests::rectangle_mesh(3, 2, 3, 2);
   std::swap(mesh.boundary[1], mesh.boundary[7]);
   std::swap(mesh.boundary[2], mesh.boundary[4]);
-  const std::vector<std::size_t> edges = edges_along(mesh);
+  const auto loops = boundary_loops(mesh);
+  ASSERT_EQ(loops.size(), 1u);
+  const std::vector<std::size_t>& edges = loops.front();
   ASSERT_EQ(edges.size(), mesh.boundary.size());
   EXPECT_EQ(edges.front(), 0u);
   for (std::size_t k = 0; k < edges.size(); ++k)

@@ -2,6 +2,7 @@
 #include "meshes/mesher.h"
 
 #include "core/error.h"
+#include "meshes/boundary_walk.h"
 #include "sections.h"
 #include "tests/support/meshes.h"
 
@@ -53,7 +54,7 @@ double worst_quality(const TriangleMesh& mesh)
   return worst;
 }
 
-/// What every mesh of a section without holes has to be.
+/// What every mesh of a section in one piece has to be.
 void expect_valid(const TriangleMesh& mesh, const Section& section)
 {
   ASSERT_EQ(mesh.triangle_soil.size(), mesh.triangles.size());
@@ -88,7 +89,10 @@ void expect_valid(const TriangleMesh& mesh, const Section& section)
   }
   EXPECT_EQ(outer, boundary);
   EXPECT_EQ(boundary.size(), mesh.boundary.size());
-  EXPECT_EQ(mesh.nodes.size() + mesh.triangles.size(), undirected + 1) << "Euler characteristic";
+  // Each wall in the soil is a hole of the mesh, which would be a disk without.
+  const std::size_t holes = boundary_loops(mesh).size() - 1;
+  EXPECT_EQ(mesh.nodes.size() + mesh.triangles.size() + holes, undirected + 1)
+      << "Euler characteristic";
 
   for (const Vec2& p : section.outline)
     EXPECT_TRUE(std::find(mesh.nodes.begin(), mesh.nodes.end(), p) != mesh.nodes.end())
@@ -97,9 +101,15 @@ void expect_valid(const TriangleMesh& mesh, const Section& section)
   for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     lengths[section.stretches[static_cast<std::size_t>(mesh.boundary_stretch[e])].name] +=
         (node(mesh, mesh.boundary[e][1]) - node(mesh, mesh.boundary[e][0])).norm();
+  std::map<std::string, double> wanted;
   for (const Stretch& stretch : section.stretches)
-    EXPECT_NEAR(lengths[stretch.name], stretch_length(section, stretch.name), 1e-9 * area)
-        << stretch.name;
+    wanted[stretch.name] = stretch_length(section, stretch.name);
+  for (const InnerLine& line : section.inner_lines) // both sides
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      wanted[section.stretches[static_cast<std::size_t>(line.stretch)].name] +=
+          2 * (line.points[k] - line.points[k - 1]).norm();
+  for (const auto& [name, length] : wanted)
+    EXPECT_NEAR(lengths[name], length, 1e-9 * area) << name;
 }
 
 /// Zone borders are never cut: the soil is the same near all corners of each triangle.
@@ -125,6 +135,24 @@ SectionInput dam_with_core_and_filter()
 }
 
 //------------------------------------------------------------------------------------------------
+
+TEST(Mesher, IsCutOpenAlongInnerLinesAcrossZonesAtEverySize)
+{
+  SectionInput input = dam_with_core_and_filter();
+  input.marked_lines = {{{55, 20}, {55, 10}, {52, 4}}, // a wall from the crest through the core
+                        {{40, 5}, {80, 5}},            // across everything, and the wall's zone
+                        {{54, 8}, {56.5, 8}},          // over the wall, inside the core
+                        {{60, 0.5}, {61, 0.5}}};       // short, in the filter
+  const Section section = build_section(input);
+  ASSERT_EQ(section.inner_lines.size(), 4U);
+  for (const double size : {10.0, 2.0, 0.35}) // the last one halved
+  {
+    const TriangleMesh mesh =
+        triangulate(section, {.coarse = size, .fine = 0, .inner = 0, .outer = 0, .near = {}});
+    expect_valid(mesh, section);
+    expect_pure(mesh, section);
+  }
+}
 
 TEST(Mesher, CoversEachSectionOnceWithItsBoundary)
 {

@@ -167,26 +167,61 @@ INSTANTIATE_TEST_SUITE_P(
                    "below the ground at its end of the section, (191.4, 7.3)"},
         BadSection{"PoolLevelNotANumber", [](SectionInput& s) { s.left_pool_level = nan; },
                    "water.left_level_m", "nan", "not a number"},
-        BadSection{"LeftPoolOvertops",
+        BadSection{"LeftPoolOverGroundThatNothingDams",
                    [](SectionInput& s)
                    {
+                     s.ground = {{0, 7.3}, {50, 20}, {191.4, 20}};
                      s.left_pool_level = 30;
-                     s.right_pool_level = 10;
+                     s.right_pool_level = 20;
                    },
                    "water.left_level_m", "30",
-                   "overtops the section, and water.right_level_m = 10"},
-        BadSection{"RightPoolOvertops",
-                   [](SectionInput& s)
-                   {
-                     s.left_pool_level = 7.3;
-                     s.right_pool_level = 29;
-                   },
-                   "water.right_level_m", "29", "overtops the section"},
-        BadSection{"MarkedPointOffTheOutline",
+                   "no crest to hold it, and water.right_level_m = 20 is another level"},
+        BadSection{"MarkedPointOutside",
                    [](SectionInput& s) {
-                     s.marked_lines = {{{0, 0}, {40, 2}}};
+                     s.marked_lines = {{{0, 0}, {40, -2}}};
                    },
-                   line, "(40, 2)", "lies 2 m away"},
+                   line, "(40, -2)", "lies 2 m outside the section"},
+        BadSection{"MarkedLineHalfInHalfOut",
+                   [](SectionInput& s) {
+                     s.marked_lines = {{{103, 20}, {103, 40}}};
+                   },
+                   line, "(103, 40)", "lies 11.4 m outside the section"},
+        BadSection{"MarkedLineAlongTheOutlineAndThenIn",
+                   [](SectionInput& s) {
+                     s.marked_lines = {{{0, 7.3}, {33.5, 7.3}, {40, 3}}};
+                   },
+                   line, "(33.5, 7.3)", "a line through the soil meets the outline here"},
+        BadSection{
+            "InnerLineThroughTheAir",
+            [](SectionInput& s) { // from one slope to the other, over the toe's ground
+              use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
+              s.marked_lines = {{{5, 8}, {15, 8}}};
+            },
+            line, "(5, 8) - (15, 8)", "leaves or touches the section at"},
+        BadSection{
+            "InnerLineTouchesACorner",
+            [](SectionInput& s)
+            {
+              use_outline(s, {{0, 0}, {20, 0}, {20, 10}, {11, 10}, {10, 4}, {9, 10}, {0, 10}});
+              s.marked_lines = {{{5, 4}, {15, 4}}};
+            },
+            line, "(5, 4) - (15, 4)", "leaves or touches the section at (10, 4)"},
+        BadSection{"InnerLineCrossesItself",
+                   [](SectionInput& s) {
+                     s.marked_lines = {{{90, 5}, {100, 5}, {100, 10}, {95, 10}, {95, 2}}};
+                   },
+                   line, "(90, 5) - (100, 5)", "edge 1 crosses edge 4"},
+        BadSection{"InnerLineTouchesItself",
+                   [](SectionInput& s) {
+                     s.marked_lines = {{{90, 5}, {100, 5}, {100, 10}, {95, 5}}};
+                   },
+                   line, "(90, 5) - (100, 5)", "edge 1 touches edge 3"},
+        BadSection{"InnerLineOnAnother",
+                   [](SectionInput& s) {
+                     s.marked_lines = {{{90, 5}, {100, 5}}, {{95, 5}, {110, 5}}};
+                   },
+                   "seepage.boundary[2].line_m", "(95, 5) - (110, 5)",
+                   "runs along seepage.boundary[1].line_m"},
         BadSection{"MarkedLineAcross",
                    [](SectionInput& s) {
                      s.marked_lines = {{{33.5, 7.3}, {107.13, 28.6}}};
@@ -203,11 +238,11 @@ TEST(SectionMistakes, AreAllReportedAtOnceAndCountedFromOne)
 {
   SectionInput input = two_sided_embankment();
   input.left_pool_level = 3;
-  input.right_pool_level = 50;
+  input.right_pool_level = 5;
   input.zones = {{1, {{50, 0}, {60, 0}, {55, 5}}},
                  {1, {{50, 40}, {60, 40}, {55, 50}}},
                  {2, {{0, 0}, {nan, 1}, {0, 1}}}};
-  input.marked_lines = {{{0, 0}, {50, 0}}, {{0, 3}, {5, 3}}};
+  input.marked_lines = {{{0, 0}, {50, 0}}, {{0, 3}, {-5, 3}}};
   std::vector<std::string> keys;
   for (const Mistake& mistake : mistakes_of(input))
     keys.push_back(mistake.key);

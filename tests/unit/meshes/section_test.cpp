@@ -253,6 +253,107 @@ TEST(Section, UnderADeepPoolIsCoveredFromEndToEnd)
   }
 }
 
+/// Length under the right pool where the left one, at 31 m, runs over the crest of 28.6 m.
+double under_right_pool(double level)
+{
+  SectionInput input = two_sided_embankment();
+  input.left_pool_level = 31;
+  input.right_pool_level = level;
+  return stretch_length(build_section(input), "right_pool");
+}
+
+TEST(Section, LetsAPoolAboveTheCrestRunDownToTheOtherEnd)
+{
+  SectionInput input = two_sided_embankment();
+  input.left_pool_level = 31;
+  const Section section = build_section(input);
+  ASSERT_TRUE(section.overflow);
+  EXPECT_EQ(section.overflow->crest, Vec2(99.83, 28.6));
+  EXPECT_NEAR(section.overflow->depth, 2.4, 1e-12);
+  EXPECT_NEAR(stretch_length(section, "left_pool"), 33.5 + std::hypot(66.33, 21.3), 1e-12);
+  EXPECT_NEAR(stretch_length(section, "overflow"), 7.3 + std::hypot(50.77, 21.3) + 33.5, 1e-12);
+  EXPECT_EQ(stretch_length(section, "ground"), 0);
+  EXPECT_TRUE(has_vertex(section, {99.83 + 2.4, 28.6})); // where the water is down to a film
+  ASSERT_EQ(section.warnings.size(), 1U);
+  EXPECT_NE(section.warnings[0].find("the left pool, 31 m, stands above the crest, 28.6 m, at "
+                                     "(99.83, 28.6): overtopping"),
+            std::string::npos)
+      << section.warnings[0];
+}
+
+TEST(Section, EndsWhatRunsOverWhereTheOtherPoolStandsAsHigh)
+{
+  // On the slope the film meets the pool at its waterline.
+  EXPECT_NEAR(under_right_pool(10), 33.5 + (10 - 7.3) / 21.3 * std::hypot(50.77, 21.3), 1e-9);
+  EXPECT_EQ(under_right_pool(7.3), 0); // no pool
+  // Above the crest, on the falling water: 31 - 0.6 = 30.4, and 1.8 m deep on the crest.
+  EXPECT_NEAR(under_right_pool(30.4), 7.3 - 0.6 + std::hypot(50.77, 21.3) + 33.5, 1e-9);
+}
+
+TEST(Section, MirroredOvertopsTheOtherWay)
+{
+  SectionInput input = two_sided_embankment();
+  input.left_pool_level = 31;
+  input.right_pool_level = 12;
+  const Section a = build_section(input), b = build_section(mirrored(input));
+  EXPECT_EQ(b.overflow->crest, Vec2(-99.83, 28.6));
+  EXPECT_NEAR(stretch_length(a, "overflow"), stretch_length(b, "overflow"), 1e-9);
+  EXPECT_NEAR(stretch_length(a, "left_pool"), stretch_length(b, "right_pool"), 1e-9);
+}
+
+TEST(Section, UpToTheCrestExactlyIsNotOvertopped)
+{
+  SectionInput input = two_sided_embankment();
+  input.left_pool_level = 28.6;
+  const Section section = build_section(input);
+  EXPECT_FALSE(section.overflow);
+  EXPECT_TRUE(section.warnings.empty());
+  EXPECT_NEAR(stretch_length(section, "ground"), 7.3 + std::hypot(50.77, 21.3) + 33.5, 1e-12);
+}
+
+TEST(Section, UnderOneLevelOnBothSidesIsSubmerged)
+{
+  SectionInput input = two_sided_embankment();
+  input.left_pool_level = input.right_pool_level = 31;
+  const Section section = build_section(input);
+  EXPECT_FALSE(section.overflow);
+  EXPECT_EQ(stretch_length(section, "ground") + stretch_length(section, "overflow"), 0);
+}
+
+//------------------------------------------------------------------------------------------------
+// Lines through the soil
+//------------------------------------------------------------------------------------------------
+
+TEST(Section, TakesALineInTheSoilForAnInnerOne)
+{
+  SectionInput input = two_sided_embankment();
+  input.marked_lines = {{{0, 0}, {0, 7.3}}, {{90, 5}, {100, 8}, {110, 5}}};
+  const Section section = build_section(input);
+  ASSERT_EQ(section.inner_lines.size(), 1U);
+  EXPECT_EQ(section.inner_lines[0].points, input.marked_lines[1]);
+  EXPECT_EQ(section.stretches[static_cast<std::size_t>(section.inner_lines[0].stretch)].name,
+            "marked_2");
+  EXPECT_EQ(stretch_length(section, "marked_2"), 0); // none of the outline
+  EXPECT_EQ(stretch_length(section, "marked_1"), 7.3);
+}
+
+TEST(Section, GivesAnInnerLineThatBeginsOnTheOutlineAVertexThere)
+{
+  SectionInput input = two_sided_embankment();
+  input.marked_lines = {{{103, 28.605}, {103, 10}}}; // drawn 5 mm above the crest
+  const Section section = build_section(input);
+  ASSERT_EQ(section.inner_lines.size(), 1U);
+  EXPECT_TRUE(has_vertex(section, {103, 28.6}));
+  EXPECT_EQ(section.inner_lines[0].points.front(), Vec2(103, 28.6));
+}
+
+TEST(Section, TakesAWallRightThroughForAnInnerLine)
+{
+  SectionInput input = two_sided_embankment();
+  input.marked_lines = {{{103, 28.6}, {103, 0}}};
+  EXPECT_EQ(build_section(input).inner_lines.size(), 1U);
+}
+
 //------------------------------------------------------------------------------------------------
 // Zones and marked lines
 //------------------------------------------------------------------------------------------------

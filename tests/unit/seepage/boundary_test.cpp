@@ -132,24 +132,73 @@ TEST(NodeConditions, InflowIsSharedByTheEndsOfEachEdge)
   EXPECT_DOUBLE_EQ(std::accumulate(c.load.begin(), c.load.end(), 0.0), 12);
 }
 
-TEST(NodeConditions, NoHeadIsAnInputError)
+/// Everywhere the head of the lowest point, at y = 0, given; the user warned.
+void expect_dry(const Box& box, const NodeConditions& c)
+{
+  for (std::size_t i = 0; i < box.mesh.nodes.size(); ++i)
+  {
+    EXPECT_EQ(c.kind[i], NodeKind::head);
+    EXPECT_EQ(c.pressure_head[i], -box.mesh.nodes[i].y());
+  }
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_NE(c.warnings[0].find("no water reaches the soil"), std::string::npos);
+}
+
+TEST(NodeConditions, WithoutWaterTheSoilIsDry)
 {
   const Box box;
-  EXPECT_THROW(static_cast<void>(node_conditions(box.mesh, box.conditions(face, face, impervious))),
+  expect_dry(box, node_conditions(box.mesh, box.conditions(face, face, impervious)));
+}
+
+TEST(NodeConditions, UnderHeadsBelowTheirBoundaryTheSoilIsDry)
+{
+  const Box box;
+  expect_dry(box, node_conditions(box.mesh, box.conditions(head(-3), face, impervious)));
+}
+
+TEST(NodeConditions, NeitherHeadNorSeepageFaceIsAnInputError)
+{
+  const Box box;
+  std::vector<Boundary> boundary = box.conditions(impervious, impervious, impervious);
+  std::ranges::fill(boundary, impervious);
+  EXPECT_THROW(static_cast<void>(node_conditions(box.mesh, boundary)), InputError);
+}
+
+TEST(NodeConditions, WaterTakenOutOfSoilThatGetsNoneIsAnInputError)
+{
+  const Box box;
+  EXPECT_THROW(static_cast<void>(node_conditions(
+                   box.mesh, box.conditions(face, face, {BoundaryKind::inflow, -1e-7}))),
                InputError);
 }
 
-TEST(NodeConditions, HeadsBelowTheirBoundaryAreAnInputErrorThatNamesThem)
+TEST(NodeConditions, RainIsALoadOnWhatFacesTheSky)
+{
+  const Box box; // the left face is vertical, the base faces down: both stay without
+  std::vector<Boundary> boundary(box.section.stretches.size(), {BoundaryKind::rain, 3});
+  const NodeConditions c = node_conditions(box.mesh, boundary);
+  EXPECT_DOUBLE_EQ(c.rain[box.node(0, 2)], 1.5);
+  EXPECT_DOUBLE_EQ(c.rain[box.node(1, 2)], 3);
+  EXPECT_EQ(c.rain[box.node(0, 1)], 0);
+  EXPECT_EQ(c.rain[box.node(1, 0)], 0);
+  EXPECT_EQ(c.load, c.rain);
+  EXPECT_EQ(c.kind[box.node(1, 2)], NodeKind::face);
+  EXPECT_EQ(c.highest_head, 2); // of the face: nothing else says how high water may stand
+  EXPECT_EQ(c.heaviest_rain, 3);
+}
+
+TEST(NodeConditions, AnOverflowIsAsDeepAsTheDistanceFromTheCrestLeavesIt)
 {
   const Box box;
-  try
+  std::vector<Boundary> boundary = box.conditions(impervious, impervious, impervious);
+  for (Boundary& b : boundary) // the top alone is open ground
+    if (b.kind == BoundaryKind::seepage_face)
+      b = {BoundaryKind::overflow, 2.5, 0};
+  const NodeConditions c = node_conditions(box.mesh, boundary);
+  for (const auto& [i, depth] : {std::pair{0, 2.5}, {1, 1.5}, {2, 0.5}, {3, 0.0}, {4, 0.0}})
   {
-    static_cast<void>(node_conditions(box.mesh, box.conditions(head(-3), face, impervious)));
-    FAIL() << "no error";
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(error.mistakes().at(0).value, "-3");
+    EXPECT_EQ(c.kind[box.node(i, 2)], NodeKind::head);
+    EXPECT_DOUBLE_EQ(c.pressure_head[box.node(i, 2)], depth);
   }
 }
 
@@ -181,7 +230,7 @@ TEST(FaceWeight, GrowsWithTheDistanceFromTheNearestEdgeMeasuredByItsLength)
     EXPECT_DOUBLE_EQ(w[i], (2 - mesh.nodes[i].y()) / 2);
 }
 
-TEST(StretchInflow, SharesACornerInProportionToTheEdgesThatImposeItsCondition)
+TEST(StretchWater, SharesACornerInProportionToTheEdgesThatImposeItsCondition)
 {
   const Box box;
   const std::vector<Boundary> boundary = box.conditions(head(2), impervious, head(2));
@@ -190,21 +239,51 @@ TEST(StretchInflow, SharesACornerInProportionToTheEdgesThatImposeItsCondition)
   reaction[box.node(0, 0)] = 4; // both edges there are 1 m long
   reaction[box.node(2, 0)] = 1;
   reaction[box.node(0, 1)] = 10;
-  const std::vector<double> inflow = stretch_inflow(box.mesh, boundary, c, reaction);
+  const std::vector<double> inflow = stretch_water(box.mesh, boundary, c, reaction).inflow;
   EXPECT_DOUBLE_EQ(inflow[box.stretch(0)], 12);
   EXPECT_DOUBLE_EQ(inflow[box.stretch(2)], 3);
   EXPECT_DOUBLE_EQ(inflow[box.stretch(1)], 0);
 }
 
-TEST(StretchInflow, CountsThePrescribedInflow)
+TEST(StretchWater, CountsThePrescribedInflow)
 {
   const Box box;
   const std::vector<Boundary> boundary =
       box.conditions(head(2), impervious, {BoundaryKind::inflow, 0.25});
   const NodeConditions c = node_conditions(box.mesh, boundary);
   const std::vector<double> inflow =
-      stretch_inflow(box.mesh, boundary, c, std::vector<double>(box.mesh.nodes.size(), 0));
+      stretch_water(box.mesh, boundary, c, std::vector<double>(box.mesh.nodes.size(), 0)).inflow;
   EXPECT_DOUBLE_EQ(inflow[box.stretch(2)], 1);
+}
+
+TEST(StretchWater, DividesRainIntoWhatEntersAndWhatRunsOff)
+{
+  const Box box;
+  std::vector<Boundary> boundary = box.conditions(face, impervious, impervious);
+  const std::size_t ground = box.stretch(-1); // the top, 4 m
+  boundary[ground] = {BoundaryKind::rain, 1};
+  const NodeConditions c = node_conditions(box.mesh, boundary);
+  std::vector<double> reaction = c.rain; // what enters at each node, net
+  reaction[box.node(1, 2)] = 0.25;       // of 1
+  reaction[box.node(2, 2)] = -2;         // all of it runs off, and water comes out
+  const StretchWater water = stretch_water(box.mesh, boundary, c, reaction);
+  EXPECT_DOUBLE_EQ(water.runoff[ground], 0.75 + 1);
+  EXPECT_DOUBLE_EQ(water.inflow[ground], 0.5 + 0.25 - 2 + 1 + 0.5);
+  EXPECT_DOUBLE_EQ(water.inflow[box.stretch(0)], 0);
+  EXPECT_DOUBLE_EQ(water.runoff[box.stretch(0)], 0);
+}
+
+TEST(LimitWeight, LeavesNoneWhereRainIsAsHeavyAsTheSoilCanTake)
+{
+  const meshes::TriangleMesh mesh = tests::rectangle_mesh(1, 1, 1, 1);
+  const std::vector<double> k(mesh.triangles.size(), 4);
+  for (const auto& [rain, w] : {std::pair{0.0, 1.0}, {1.0, 0.75}, {4.0, 0.0}, {9.0, 0.0}})
+  {
+    std::vector<double> weight(mesh.nodes.size(), 1);
+    limit_weight(mesh, k, rain, weight);
+    for (const double value : weight)
+      EXPECT_EQ(value, w);
+  }
 }
 } // namespace
 } // namespace berm::seepage
