@@ -255,7 +255,7 @@ private:
     if (is_known("*"))
       check_named_table(name, value, pattern + "*.", path);
     else if (is_known(name + "[]"))
-      check_tables(name, value, pattern + name + "[].", path + name);
+      check_tables(value, pattern + name + "[].", path + name);
     else if (!is_known(name) || !is_name(name))
       add_unknown(name, pattern, path);
     else if (const Key* key = leaf(pattern + name))
@@ -288,8 +288,7 @@ private:
            .hint = fmt::format("a soil has a table of its own: [{}name]", path)});
   }
 
-  void check_tables(const std::string& name, const TomlValue& value, const std::string& pattern,
-                    const std::string& path)
+  void check_tables(const TomlValue& value, const std::string& pattern, const std::string& path)
   {
     const auto* array = value.array();
     const bool fits = array != nullptr && array->size() <= most_tables &&
@@ -303,7 +302,7 @@ private:
            .hint = fmt::format("write [[{}]] on a line of its own, its keys below", path)});
       return;
     }
-    (name == "zone" ? values.zones : values.boundaries) = array->size();
+    values.set_count(path, array->size());
     for (std::size_t i = 0; i < array->size(); ++i)
     {
       const std::string element = fmt::format("{}[{}]", path, i + 1);

@@ -34,13 +34,20 @@ public:
   }
   [[nodiscard]] bool has(const std::string& path) const { return values_.contains(path); }
 
+  void set_count(const std::string& path, std::size_t count) { counts_[path] = count; }
+  /// @brief Number of elements of an array of tables, as "section.zone"; 0 if it is not there.
+  [[nodiscard]] std::size_t count(const std::string& path) const
+  {
+    const auto it = counts_.find(path);
+    return it == counts_.end() ? 0 : it->second;
+  }
+
   std::vector<std::string> soils; ///< names, in the file's order
-  std::size_t zones = 0;          ///< number of [[section.zone]]
-  std::size_t boundaries = 0;     ///< number of [[seepage.boundary]]
   bool run_out = false;           ///< there is a [runout], be it empty
 
 private:
   std::map<std::string, Value> values_;
+  std::map<std::string, std::size_t> counts_;
 };
 
 /// @brief Check a document against the key table, each value by itself.

@@ -2,6 +2,7 @@
 #include "app/case_file.h"
 
 #include "app/case_check.h"
+#include "app/case_lines.h"
 #include "app/toml_document.h"
 #include "app/version.h"
 #include "meshes/drawing.h"
@@ -212,7 +213,7 @@ private:
       section.base = {{section.ground.front().x(), *level}, {section.ground.back().x(), *level}};
     section.left_pool_level = case_.water.left_level;
     section.right_pool_level = case_.water.right_level;
-    for (std::size_t i = 1; i <= values_.zones; ++i)
+    for (std::size_t i = 1; i <= values_.count("section.zone"); ++i)
       assemble_zone(fmt::format("section.zone[{}].", i));
   }
 
@@ -241,7 +242,7 @@ private:
 
   void assemble_boundaries()
   {
-    for (std::size_t i = 1; i <= values_.boundaries; ++i)
+    for (std::size_t i = 1; i <= values_.count("seepage.boundary"); ++i)
     {
       const std::string at = fmt::format("seepage.boundary[{}].", i);
       const auto kind = values_.get<std::string>(at + "kind").value_or("");
@@ -318,6 +319,7 @@ private:
            .hint = "without a seepage solve, the factor of safety is all there is"});
     assemble_run_out();
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
+    case_.output.lines = assemble_lines(values_, mistakes_);
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
   }
 
@@ -423,6 +425,7 @@ private:
         add({.key = "output.probes_m",
              .value = fmt::format("[{}, {}]", probes[i].x(), probes[i].y()),
              .problem = fmt::format("point {} lies outside the section", i + 1)});
+    check_lines(case_.output.lines, section, mistakes_);
   }
 
   /// Coarser than a quarter of the section there is nothing to see; far finer, no memory holds it.

@@ -412,6 +412,25 @@ const std::vector<Key> table = {
      .otherwise = "true",
      .sentence =
          "Whether to draw figures beside the results, where Python with matplotlib is there."},
+    {.path = "output.line[].name",
+     .type = text,
+     .presence = optional,
+     .otherwise = "`line_1` and so on",
+     .sentence = "Name of the line, for the report and its file `lines/NAME.csv`; what is neither "
+                 "letter nor digit becomes `_` there."},
+    {.path = "output.line[].points_m",
+     .unit = "m",
+     .type = points,
+     .range = coordinate,
+     .sentence = "Line through the section or on its outline, along which the seepage solution is "
+                 "read: head, pore pressure, flux, gradient; what passes to its left; the push of "
+                 "the water."},
+    {.path = "output.line[].samples",
+     .type = integer,
+     .range = {2, 100000},
+     .presence = defaulted,
+     .otherwise = "101",
+     .sentence = "Number of equally spaced points in the line's file."},
 };
 
 std::string range_text(const Range& range, std::string_view name)

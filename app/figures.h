@@ -6,8 +6,8 @@
 
 namespace berm::app
 {
-/// @brief Draw seepage.png, slip.png, trials.png and curves.png beside the results
-/// (docs/plots/figures.py).
+/// @brief Draw seepage.png, lines.png, exit_gradient.png, slip.png, trials.png, curves.png and
+/// those of a run-out beside the results (docs/plots/figures.py).
 /// @return Empty if it went well; else one clause on why there are no figures.
 [[nodiscard]] std::string draw_figures(const std::filesystem::path& directory);
 } // namespace berm::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report.h"
 
+#include "app/readings_report.h"
 #include "app/result_json.h"
 
 #include <fmt/format.h>
@@ -138,6 +139,8 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
   for (const Probe& p : probes(input, analysis))
     page.row("probe", fmt::format("{:<18}  head {:>8.3f} m  pore pressure {:>8.2f} kPa",
                                   point_text(p.at), p.head, p.pore_pressure / 1e3));
+  for (const ReportRow& row : reading_rows(input, analysis))
+    page.row(row.label, row.text);
   add_meshes(page, s);
 }
 

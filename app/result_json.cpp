@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/result_json.h"
 
+#include "app/readings_json.h"
 #include "app/version.h"
 #include "core/error.h"
 
@@ -121,20 +122,20 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
                       {"residual", h.residual},
                       {"discharge_m2_s", h.discharge},
                       {"seconds", {{"solve", h.seconds}, {"mesh", h.mesh_seconds}}}});
-  return {{"discharge_m2_s", s.discharge},
-          {"discharge_over_k_m", or_null(discharge_over_k(input, analysis))},
-          {"exit_point_m", s.exit_point ? point(*s.exit_point) : Json(nullptr)},
-          {"phreatic_line_m", lines.empty() ? Json::array() : lines.front()},
-          {"phreatic_lines_m", lines},
-          {"inflow_m2_s", s.inflow},
-          {"outflow_m2_s", s.outflow},
-          {"balance", s.balance},
-          {"rain_m2_s", s.rain},
-          {"runoff_m2_s", std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0)},
-          {"stretches", stretches},
-          {"probes", probe_list},
-          {"meshes", meshes},
-          {"seconds", seconds(s.seconds)}};
+  Json json = {{"discharge_m2_s", s.discharge},
+               {"discharge_over_k_m", or_null(discharge_over_k(input, analysis))},
+               {"exit_point_m", s.exit_point ? point(*s.exit_point) : Json(nullptr)},
+               {"phreatic_line_m", lines.empty() ? Json::array() : lines.front()},
+               {"phreatic_lines_m", lines},
+               {"inflow_m2_s", s.inflow},
+               {"outflow_m2_s", s.outflow},
+               {"balance", s.balance},
+               {"stretches", stretches},
+               {"probes", probe_list},
+               {"meshes", meshes},
+               {"seconds", seconds(s.seconds)}};
+  json.update(readings_json(input, analysis));
+  return json;
 }
 
 Json fitted_json(const std::optional<sph::FittedCircle>& circle)

@@ -3,11 +3,14 @@
 
 #include "app/field_files.h"
 #include "app/frame_files.h"
+#include "app/reading_files.h"
 #include "app/result_json.h"
 #include "core/error.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <vector>
 
 namespace berm::app
 {
@@ -16,11 +19,12 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::array our_files = {
-    "case.toml",         "results.h5",           "results_particles.xdmf",
-    "results_mesh.xdmf", "results_run_out.xdmf", "seepage.png",
-    "slip.png",          "trials.png",           "curves.png",
-    "run_out.png",       "run_out_energy.png",   "run_out.gif",
-    "result.json"};
+    "case.toml",          "results.h5",           "results_particles.xdmf",
+    "results_mesh.xdmf",  "results_run_out.xdmf", "seepage.png",
+    "slip.png",           "trials.png",           "curves.png",
+    "run_out.png",        "run_out_energy.png",   "run_out.gif",
+    "lines.png",          "exit_gradient.png",    "phreatic_lines.csv",
+    "exit_gradients.csv", "result.json"};
 
 fs::path aside(const fs::path& path)
 {
@@ -36,17 +40,33 @@ void write_text(const fs::path& path, const std::string& text)
     throw IoError(path.string() + ": cannot be written");
 }
 
+/// Every file that a run may replace or remove: the lines' of this run and of earlier ones, then
+/// those of fixed names, result.json last.
+std::vector<fs::path> files_of(const fs::path& directory, const coupling::Case& input)
+{
+  std::vector<fs::path> paths;
+  for (const coupling::OutputLine& line : input.output.lines)
+    paths.push_back(directory / line_path(line));
+  std::error_code none; // there is no such folder
+  for (const auto& entry : fs::directory_iterator(directory / lines_folder, none))
+    if (entry.path().extension() == ".csv" && std::ranges::find(paths, entry.path()) == paths.end())
+      paths.push_back(entry.path());
+  for (const char* name : our_files)
+    paths.push_back(directory / name);
+  return paths;
+}
+
 /// Removes what was written aside and not renamed, also when an exception passes.
 struct Leftovers
 {
   const fs::path& directory;
+  const std::vector<fs::path>& paths;
   ~Leftovers()
   {
-    for (const char* name : our_files)
-    {
-      std::error_code ignored;
-      fs::remove(aside(directory / name), ignored);
-    }
+    std::error_code ignored;
+    for (const fs::path& path : paths)
+      fs::remove(aside(path), ignored);
+    fs::remove(directory / lines_folder, ignored); // only if empty
   }
 };
 } // namespace
@@ -74,8 +94,8 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                const coupling::Analysis& analysis)
 {
   prepare_directory(directory);
-  const Leftovers leftovers{
-      directory}; // whatever throws below, nothing of an earlier run is replaced
+  const std::vector<fs::path> paths = files_of(directory, input);
+  const Leftovers leftovers{directory, paths}; // whatever throws, no earlier run is replaced
   write_fields(aside(directory / "results.h5").string(), input, analysis);
   write_text(aside(directory / "case.toml"), input.text);
   if (analysis.stability && !analysis.stability->settled.ux.empty())
@@ -83,21 +103,27 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                particles_xdmf(*analysis.stability, "results.h5"));
   if (analysis.seepage)
     write_text(aside(directory / "results_mesh.xdmf"), mesh_xdmf(*analysis.seepage, "results.h5"));
+  for (const TextFile& file : reading_files(input, analysis))
+  {
+    std::error_code error; // told by write_text
+    fs::create_directories((directory / file.path).parent_path(), error);
+    write_text(aside(directory / file.path), file.text);
+  }
   if (analysis.run_out)
     write_text(aside(directory / "results_run_out.xdmf"),
                run_out_xdmf(*analysis.run_out, analysis.stability->particles.size()));
   else
     remove_frames(directory);
   write_text(aside(directory / "result.json"), json_text(result_json(input, analysis)) + "\n");
-  for (const char* name : our_files)
+  for (const fs::path& path : paths)
   {
     std::error_code error;
-    if (fs::exists(aside(directory / name)))
-      fs::rename(aside(directory / name), directory / name, error);
+    if (fs::exists(aside(path)))
+      fs::rename(aside(path), path, error);
     else
-      fs::remove(directory / name, error);
+      fs::remove(path, error);
     if (error)
-      throw IoError((directory / name).string() + ": " + error.message());
+      throw IoError(path.string() + ": " + error.message());
   }
 }
 } // namespace berm::app

@@ -16,7 +16,8 @@ namespace berm::app
 /// @throws IoError if not.
 void prepare_directory(const std::filesystem::path& directory);
 
-/// @brief Write case.toml, results.h5, its XDMF companions and, last, result.json.
+/// @brief Write case.toml, results.h5, its XDMF companions, the readings as CSV and, last,
+/// result.json.
 /// Each is written aside and then renamed; files of an earlier run that this run has no match for
 /// are removed, other files stay as they are.
 /// @throws NumericalError if a value is not finite (nothing is replaced then); IoError.

@@ -339,8 +339,11 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
 
 #ifdef BERM_WITH_SEEPAGE
   if (input.water.pore_pressure == PorePressureKind::seepage)
+  {
     analysis.seepage = timed(analysis, observer, "seepage",
                              [&] { return solve_seepage(input, section, observer); });
+    analysis.readings = read_solution(input, section, *analysis.seepage);
+  }
 #endif
   if ((!input.stability && !input.run_out) || observer.stop_requested())
   {

@@ -6,6 +6,7 @@
 #include "core/team.h"
 #include "coupling/case.h"
 #include "coupling/limit_equilibrium.h"
+#include "coupling/readings.h"
 #include "coupling/region.h"
 #include "coupling/uncertainty.h"
 #include "meshes/section.h"
@@ -77,6 +78,7 @@ struct Analysis
 {
   meshes::Section section;
   std::optional<seepage::Solution> seepage;
+  Readings readings; ///< of the seepage; empty without one
   std::optional<Stability> stability;
   std::optional<RunOut> run_out;
   std::vector<StageSeconds> stages;

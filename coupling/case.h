@@ -4,6 +4,7 @@
 #include "core/tensor.h"
 #include "coupling/region.h"
 #include "meshes/section.h"
+#include "seepage/line_reading.h"
 #include "seepage/seepage.h"
 #include "sph/run_out.h"
 #include "sph/soil.h"
@@ -58,9 +59,17 @@ struct RunOutSettings
   sph::RunOutSettings motion;
 };
 
+/// A line along which to read the seepage solution.
+struct OutputLine
+{
+  std::string name;
+  seepage::Line line;
+};
+
 struct Output
 {
   Polyline probes; ///< where to print head and pore pressure [m]
+  std::vector<OutputLine> lines;
   bool figures = true;
 };
 

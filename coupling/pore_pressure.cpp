@@ -2,7 +2,7 @@
 #include "coupling/pore_pressure.h"
 
 #include "core/error.h"
-#include "coupling/interpolate.h"
+#include "meshes/triangle_locator.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -78,7 +78,7 @@ PorePressure seepage_pore_pressure(const seepage::Solution& solution, double max
   {
     meshes::TriangleMesh mesh;
     std::vector<double> pressure;
-    TriangleLocator locator{mesh};
+    meshes::TriangleLocator locator{mesh};
   };
   const auto field =
       std::shared_ptr<Field>(new Field{.mesh = solution.mesh, .pressure = solution.pore_pressure});

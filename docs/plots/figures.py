@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draw a run beside its result.json and results.h5: seepage.png, slip.png, trials.png, curves.png,
-and of a run-out run_out.png, run_out_energy.png and run_out.gif.
+"""Draw a run beside its result.json and results.h5: seepage.png, lines.png, exit_gradient.png,
+slip.png, trials.png, curves.png, and of a run-out run_out.png, run_out_energy.png and run_out.gif.
 
     /usr/bin/python3 docs/plots/figures.py DIR [--out DIR]
 
@@ -23,6 +23,7 @@ from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
+import readings
 import run_out
 from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
                      figure_for)
@@ -72,6 +73,8 @@ def seepage_figure(result, fields):
     if probes:
         at = np.array([[p["x_m"], p["y_m"]] for p in probes])
         ax.plot(*at.T, "+", color=ORANGE, ms=7, mew=1.5, zorder=7, label="probes")
+    readings.draw_lines(ax, result)
+    readings.draw_heave(ax, result)
     q = result["seepage"]["discharge_m2_s"]
     ax.set_title(f"{result['title']}\ndischarge {q:.4g} m²/s per metre run")
     ax.legend(loc="upper right", framealpha=0.9, fontsize=8)
@@ -286,6 +289,9 @@ def main():
             "trials": trials_figure(result) if "stability" in result else None,
             "curves": curves_figure(result) if "stability" in result else None,
         }
+    if "seepage" in result:
+        figures["lines"] = readings.lines_figure(result, options.directory)
+        figures["exit_gradient"] = readings.exit_gradient_figure(result, options.directory)
     if "runout" in result and run_out.frame_paths(options.directory):
         figures["run_out"] = run_out.final_shape_figure(result, options.directory)
         figures["run_out_energy"] = run_out.energy_figure(result)

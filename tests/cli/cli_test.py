@@ -414,6 +414,60 @@ class Cli(unittest.TestCase):
             self.assertIn(f"case.toml:{place}: seepage.boundary[1].line_m", err)
             self.assertIn(problem, err)
 
+    @unittest.skipUnless(HAS_SEEPAGE, "no seepage stage")
+    def test_lines_through_the_seepage_are_read_and_written(self):
+        lines = (b'[[output.line]]\nname = "below the crest"\npoints_m = [[103, 0], [103, 28.6]]\n'
+                 b"[[output.line]]\npoints_m = [[60, 2], [120, 2], [150, 5]]\nsamples = 7\n")
+        case = self.write((CASES / "seepage.toml").read_bytes() + lines)
+        coarse = ["--set", "seepage.adaptive=false", "--out", "out"]
+        out, _ = self.berm("seepage", case, *coarse)
+        for text in ("below the crest, 28.6 m", "line_2", "water pushes with", "exit gradient",
+                     "factor "):
+            self.assertIn(text, out)
+        water = self.result("out")["seepage"]
+        q = water["discharge_m2_s"]
+        crest, second = water["lines"]
+        self.assertAlmostEqual(crest["discharge_m2_s"] / q, -1, delta=0.01)  # all of it, rightwards
+        for line, name, rows in ((crest, "below_the_crest", 101), (second, "line_2", 7)):
+            self.assertEqual(line["file"], f"lines/{name}.csv")
+            table = (self.dir / "out" / line["file"]).read_text().splitlines()
+            self.assertEqual(table[0], "distance_m,x_m,y_m,head_m,pore_pressure_kPa,flux_x_m_s,"
+                                       "flux_y_m_s,gradient")
+            self.assertEqual(len(table), rows + 1)
+            for row in table[1:]:
+                _, _, y, head, pressure, *_ = map(float, row.split(","))
+                self.assertAlmostEqual(pressure, 9.81 * (head - y), places=4)
+        outlet = water["exit_gradients"][0]
+        self.assertEqual(outlet["unbounded_at_m"], [[157.9, 7.3]])  # the toe
+        table = (self.dir / "out" / "exit_gradients.csv").read_text().splitlines()
+        rows = [dict(zip(table[0].split(","), row.split(","))) for row in table[1:]]
+        largest = max(float(r["normal_gradient"]) for r in rows if r["counts"] == "1")
+        self.assertAlmostEqual(largest, outlet["gradient"], places=6)
+        points = (self.dir / "out" / "phreatic_lines.csv").read_text().splitlines()
+        self.assertEqual(len(points) - 1, sum(map(len, water["phreatic_lines_m"])))
+        self.assertGreater(water["heave"]["factor"], 1)
+        if CAN_PLOT:
+            for name in ("seepage", "lines", "exit_gradient"):
+                self.assertTrue((self.dir / "out" / f"{name}.png").exists())
+        self.berm("seepage", CASES / "seepage.toml", *coarse, *NO_FIGURES)
+        self.assertFalse((self.dir / "out" / "lines").exists())
+        self.assertFalse((self.dir / "out" / "lines.png").exists())
+
+    def test_lines_outside_the_section_are_told_all_at_once(self):
+        lines = ("[[output.line]]\nname = \"../a\"\npoints_m = [[0, 7.3], [157, 7.3], [200, 0]]\n"
+                 "[[output.line]]\nname = \"...a\"\npoints_m = [[0, 7.3], [60, 25]]\nsamples = 1\n")
+        text = pathlib.Path(DRY).read_text()
+        first = text.count("\n") + 3
+        _, err = self.berm("check", self.write(text + lines), code=2)
+        for part in (
+            f"case.toml:{first}: output.line[1].points_m = (200, 0): point 3 lies outside",
+            f"case.toml:{first + 2}: output.line[2].name = \"...a\": the same file, lines/___a.csv",
+            f"case.toml:{first + 3}: output.line[2].points_m = (60, 25): point 2 lies outside",
+            f"case.toml:{first + 4}: output.line[2].samples = 1",
+            "4 mistakes; nothing was run.",
+        ):
+            self.assertIn(part, err)
+
     def test_figures_are_drawn_for_every_stage(self):
         if not CAN_PLOT:
             _, err = self.berm("run", DRY, *COARSE)

@@ -65,6 +65,9 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"runout.shake_g", "0"},
     {"runout.shake_duration_s", "0"},
     {"output.probes_m", "[[5, 5]]"},
+    {"output.line[].name", "\"a line\""},
+    {"output.line[].points_m", "[[5, 5], [6, 5]]"},
+    {"output.line[].samples", "11"},
 };
 
 std::string sound_value(const Key& key)

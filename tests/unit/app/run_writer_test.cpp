@@ -24,12 +24,13 @@ std::string contents(const fs::path& path)
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Every file of a directory, by name.
+/// Every file of a directory and of those in it, by its path from there.
 std::vector<std::string> names(const fs::path& directory)
 {
   std::vector<std::string> list;
-  for (const auto& entry : fs::directory_iterator(directory))
-    list.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::recursive_directory_iterator(directory))
+    if (entry.is_regular_file())
+      list.push_back(entry.path().lexically_relative(directory).generic_string());
   std::sort(list.begin(), list.end());
   return list;
 }
@@ -40,8 +41,9 @@ TEST(RunWriter, WritesTheFilesThatTheDocumentationLists)
   const TemporaryDirectory directory;
   write_run(directory.path() / "a" / "b", small_case(), small_analysis());
   EXPECT_EQ(names(directory.path() / "a" / "b"),
-            (std::vector<std::string>{"case.toml", "result.json", "results.h5", "results_mesh.xdmf",
-                                      "results_particles.xdmf"}));
+            (std::vector<std::string>{"case.toml", "exit_gradients.csv", "lines/a_line.csv",
+                                      "phreatic_lines.csv", "result.json", "results.h5",
+                                      "results_mesh.xdmf", "results_particles.xdmf"}));
   EXPECT_EQ(contents(directory.path() / "a" / "b" / "case.toml"), "format = 1\n");
 }
 
@@ -75,6 +77,72 @@ TEST(RunWriter, TheResultIsTheContractForScripts)
                         {"max_displacement_m", {0.0625, 0.75}}};
   EXPECT_EQ(stability.at("trials").at(1).at("history"), history);
   EXPECT_EQ(json.at("performance").at("particle_steps_per_cpu_second"), 50.0); // 300 in 2 + 4 s
+}
+
+TEST(RunWriter, TheReadingsAreInTheResult)
+{
+  const Json flow = result_json(small_case(), small_analysis()).at("seepage");
+  const Json line = {{"name", "a/line"},
+                     {"file", "lines/a_line.csv"},
+                     {"length_m", 1.0},
+                     {"points_m", {{0.0, 0.0}, {1.0, 0.0}}},
+                     {"discharge_m2_s", -5e-7},
+                     {"discharge_from", "stream function"},
+                     {"water_force",
+                      {{"force_kN_m", {0.0, 7.5}},
+                       {"pressure_kN_m", 7.5},
+                       {"moment_kNm_m", 3.5},
+                       {"distance_m", 0.4375},
+                       {"at_m", {0.4375, 0.0}}}}};
+  EXPECT_EQ(flow.at("lines"), Json::array({line}));
+  const Json outlet = {
+      {"stretch", "ground"},     {"from_m", {1.0, 1.0}},     {"to_m", {0.5, 1.0}},
+      {"outflow_m2_s", 5e-7},    {"gradient", 0.25},         {"at_m", {0.5, 1.0}},
+      {"upward_gradient", 0.25}, {"critical_gradient", 1.0}, {"unbounded_at_m", {{1.0, 1.0}}},
+      {"kept_away_m", 0.125}};
+  EXPECT_EQ(flow.at("exit_gradients"), Json::array({outlet}));
+  const Json heave = {
+      {"factor", 3.5},
+      {"surface",
+       {{"factor", 4.0}, {"at_m", {0.5, 1.0}}, {"gradient", 0.25}, {"critical_gradient", 1.0}}},
+      {"column",
+       {{"factor", 3.5}, {"at_m", {0.5, 1.0}}, {"depth_m", 0.5}, {"excess_head_m", 0.125}}}};
+  EXPECT_EQ(flow.at("heave"), heave);
+  coupling::Analysis still = small_analysis();
+  still.readings.heave = {};
+  EXPECT_TRUE(result_json(small_case(), still).at("seepage").at("heave").at("factor").is_null());
+}
+
+TEST(RunWriter, TheReadingsAreTablesWithTheirUnits)
+{
+  const TemporaryDirectory directory;
+  write_run(directory.path(), small_case(), small_analysis());
+  EXPECT_EQ(contents(directory.path() / "lines" / "a_line.csv"),
+            "distance_m,x_m,y_m,head_m,pore_pressure_kPa,flux_x_m_s,flux_y_m_s,gradient\n"
+            "0,0,0,1,9.81,5e-07,0,0.5\n"
+            "1,1,0,0.5,-4.905,5e-07,0,0.5\n");
+  EXPECT_EQ(contents(directory.path() / "phreatic_lines.csv"), "line,x_m,y_m\n1,0,1\n1,1,0.5\n");
+  EXPECT_EQ(contents(directory.path() / "exit_gradients.csv"),
+            "outlet,stretch,counts,distance_m,x_m,y_m,head_m,normal_gradient,upward_gradient,"
+            "critical_gradient,flux_m_s\n"
+            "1,ground,0,0,1,1,1,2,2,1,2e-06\n"
+            "1,ground,1,0.5,0.5,1,1,0.25,0.25,1,2.5e-07\n");
+}
+
+TEST(RunWriter, LinesOfAnEarlierRunAreRemoved)
+{
+  const TemporaryDirectory directory;
+  write_run(directory.path(), small_case(), small_analysis());
+  coupling::Case input = small_case();
+  input.output.lines[0].name = "../b";
+  write_run(directory.path(), input, small_analysis());
+  EXPECT_EQ(names(directory.path() / "lines"), std::vector<std::string>{"___b.csv"});
+  EXPECT_FALSE(fs::exists(directory.path() / "b.csv"));
+  coupling::Analysis dry = small_analysis();
+  dry.seepage.reset();
+  write_run(directory.path(), input, dry);
+  EXPECT_FALSE(fs::exists(directory.path() / "lines"));
+  EXPECT_FALSE(fs::exists(directory.path() / "exit_gradients.csv"));
 }
 
 TEST(RunWriter, TheSmallestFactorStandsAboveAllSearches)
@@ -164,7 +232,7 @@ TEST(RunWriter, RefusesNaNNamingFieldAndPlaceAndKeepsTheEarlierRun)
       EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
     }
     EXPECT_EQ(contents(directory.path() / "result.json"), earlier);
-    EXPECT_EQ(names(directory.path()).size(), 5u) << "something written aside was left behind";
+    EXPECT_EQ(names(directory.path()).size(), 8u) << "something written aside was left behind";
   };
   refused("/seepage/discharge_m2_s", [](auto& a) { a.seepage->discharge = NAN; });
   refused("/stability/trials/1/velocity_measure",
@@ -172,6 +240,13 @@ TEST(RunWriter, RefusesNaNNamingFieldAndPlaceAndKeepsTheEarlierRun)
   refused("/mesh/head[2] = nan at (1, 1) m", [](auto& a) { a.seepage->head[2] = NAN; });
   refused("/particles/failing/displacement[1] = inf at (0.5, 0.5) m",
           [](auto& a) { a.stability->searches[0].F.trials[1].state.ux[1] = INFINITY; });
+  refused("lines/a_line.csv: head_m = nan in row 2",
+          [](auto& a) { a.readings.lines[0].samples[1].head = NAN; });
+  refused("exit_gradients.csv: normal_gradient = inf in row 1",
+          [](auto& a) { a.readings.outlets[0].points[0].normal = INFINITY; });
+  refused("phreatic_lines.csv: y_m = nan in row 2",
+          [](auto& a) { a.seepage->phreatic_lines[0][1].y() = NAN; });
+  refused("/seepage/heave/factor", [](auto& a) { a.readings.heave.surface->factor = NAN; });
   refused("/particles/settled/stress_xy[2]",
           [](auto& a) { a.stability->settled.stress[2].xy = NAN; });
 }

@@ -3,6 +3,8 @@
 
 #include "coupling/analysis.h"
 
+#include <algorithm>
+
 namespace berm::app::test
 {
 /// A unit square of two triangles and three particles: small enough to know every number of it.
@@ -29,6 +31,42 @@ inline coupling::Analysis small_analysis()
   flow.history = {{.unknowns = 4, .strategy = "full section", .newton_steps = 3}};
   flow.seconds = {.wall = 0.25, .cpu = 0.5};
   analysis.seepage = flow;
+
+  coupling::Readings& read = analysis.readings;
+  seepage::LineReading& line = read.lines.emplace_back();
+  line.length = 1;
+  line.samples = {{0, {0, 0}, 1, 9810, {5e-7, 0}, 0.5}, {1, {1, 0}, 0.5, -4905, {5e-7, 0}, 0.5}};
+  line.discharge = -5e-7;
+  line.water = {
+      .force = {0, 7500}, .moment = 3500, .pressure = 7500, .distance = 0.4375, .at = {0.4375, 0}};
+  seepage::Outlet& outlet = read.outlets.emplace_back();
+  const auto& stretches = analysis.section.stretches;
+  outlet.stretch = static_cast<Index>(
+      std::ranges::find(stretches, "ground", &meshes::Stretch::name) - stretches.begin());
+  outlet.outflow = 5e-7;
+  outlet.points = {{.distance = 0,
+                    .at = {1, 1},
+                    .head = 1,
+                    .normal = 2,
+                    .upward = 2,
+                    .flux = 2e-6,
+                    .faces_up = true,
+                    .soil = 0,
+                    .beside_singularity = Vec2{1, 1}},
+                   {.distance = 0.5,
+                    .at = {0.5, 1},
+                    .head = 1,
+                    .normal = 0.25,
+                    .upward = 0.25,
+                    .flux = 2.5e-7,
+                    .faces_up = true,
+                    .soil = 0,
+                    .beside_singularity = {}}};
+  outlet.steepest = 1;
+  outlet.kept_away = 0.125;
+  read.critical_gradient = {1};
+  read.heave.surface = {.factor = 4, .gradient = 0.25, .critical_gradient = 1, .at = {0.5, 1}};
+  read.heave.column = {.factor = 3.5, .depth = 0.5, .excess_head = 0.125, .at = {0.5, 1}};
 
   coupling::Stability soil;
   soil.particles = {.x = {0.2, 0.5, 0.8},
@@ -83,6 +121,7 @@ inline coupling::Case small_case()
   input.soils.push_back(
       {.name = "fill", .mechanical = {}, .conductivity = seepage::Conductivity{1e-6, 1e-6}});
   input.output.probes = {{0.5, 0.25}};
+  input.output.lines = {{.name = "a/line", .line = {.points = {{0, 0}, {1, 0}}, .samples = 2}}};
   return input;
 }
 } // namespace berm::app::test

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/interpolate.h"
+#include "meshes/triangle_locator.h"
+
+#include "meshes/planar.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace berm::coupling
+namespace berm::meshes
 {
 namespace
 {
-double cross(const Vec2& a, const Vec2& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-std::array<Vec2, 3> corners(const meshes::TriangleMesh& mesh, Index t)
+std::array<Vec2, 3> corners(const TriangleMesh& mesh, Index t)
 {
   const auto& nodes = mesh.triangles[static_cast<std::size_t>(t)];
   return {mesh.nodes[static_cast<std::size_t>(nodes[0])],
@@ -52,7 +49,7 @@ TriangleLocator::Location nearest_on_rim(const std::array<Vec2, 3>& c, const Vec
 }
 } // namespace
 
-TriangleLocator::TriangleLocator(const meshes::TriangleMesh& mesh) : mesh_(mesh)
+TriangleLocator::TriangleLocator(const TriangleMesh& mesh) : mesh_(mesh)
 {
   Vec2 upper = mesh.nodes.front();
   lower_ = upper;
@@ -127,4 +124,4 @@ TriangleLocator::Location TriangleLocator::locate(const Vec2& point, double max_
       }
   return best;
 }
-} // namespace berm::coupling
+} // namespace berm::meshes

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace berm::coupling
+namespace berm::meshes
 {
 /// Finds the triangle at a point through uniform bins: some six times faster than a tree of
 /// bounding boxes for 2e5 points, and it never loses a point on the boundary.
@@ -16,7 +16,7 @@ class TriangleLocator
 {
 public:
   /// @param[in] mesh  Must outlive the locator. Cost O(triangles).
-  explicit TriangleLocator(const meshes::TriangleMesh& mesh);
+  explicit TriangleLocator(const TriangleMesh& mesh);
 
   /// Where a point lies: a triangle and barycentric weights, each in [0, 1], of sum 1.
   struct Location
@@ -35,11 +35,11 @@ private:
   [[nodiscard]] std::array<Index, 2> bin_at(const Vec2& point) const;
   [[nodiscard]] std::span<const Index> triangles_in(Index bx, Index by) const;
 
-  const meshes::TriangleMesh& mesh_;
+  const TriangleMesh& mesh_;
   Vec2 lower_{0, 0};
   double bin_size_ = 1;
   Index nx_ = 1, ny_ = 1;
   std::vector<Index> start_,
       triangle_; ///< triangles whose bounding box touches a bin, in compressed rows
 };
-} // namespace berm::coupling
+} // namespace berm::meshes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/interpolate.h"
+#include "meshes/triangle_locator.h"
 
 #include "tests/support/meshes.h"
 
@@ -7,23 +7,23 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::coupling
+namespace berm::meshes
 {
 namespace
 {
 /// A structured mesh of a rectangle, sheared and stretched so that triangles differ in size and
 /// shape.
-meshes::TriangleMesh distorted_mesh()
+TriangleMesh distorted_mesh()
 {
-  meshes::TriangleMesh mesh =
-      tests::rectangle_mesh(meshes::build_section(tests::rectangle_input(16, 10)), 23, 17);
+  TriangleMesh mesh =
+      tests::rectangle_mesh(build_section(tests::rectangle_input(16, 10)), 23, 17);
   for (Vec2& node : mesh.nodes)
     node = {node.x() * (1 + 0.03 * node.x()) + 0.3 * node.y(),
             node.y() * (1 + 0.05 * node.y()) + 0.02 * node.x() * node.x()};
   return mesh;
 }
 
-double value(const meshes::TriangleMesh& mesh, const TriangleLocator::Location& at,
+double value(const TriangleMesh& mesh, const TriangleLocator::Location& at,
              const std::function<double(const Vec2&)>& f)
 {
   double sum = 0;
@@ -35,7 +35,7 @@ double value(const meshes::TriangleMesh& mesh, const TriangleLocator::Location& 
 
 TEST(TriangleLocator, AgreesWithBruteForceEverywhereInside)
 {
-  const meshes::TriangleMesh mesh = distorted_mesh();
+  const TriangleMesh mesh = distorted_mesh();
   const TriangleLocator locator(mesh);
   std::mt19937_64 engine(11);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -62,7 +62,7 @@ TEST(TriangleLocator, AgreesWithBruteForceEverywhereInside)
 
 TEST(TriangleLocator, LosesNoNodeAndNoPointJustOutside)
 {
-  const meshes::TriangleMesh mesh = distorted_mesh();
+  const TriangleMesh mesh = distorted_mesh();
   const TriangleLocator locator(mesh);
   const auto f = [](const Vec2& p) { return p.x() + p.y(); };
   for (const Vec2& node : mesh.nodes)
@@ -76,8 +76,8 @@ TEST(TriangleLocator, LosesNoNodeAndNoPointJustOutside)
 
 TEST(TriangleLocator, MovesAnOutsidePointToTheNearestPointOfTheMesh)
 {
-  const meshes::TriangleMesh mesh =
-      tests::rectangle_mesh(meshes::build_section(tests::rectangle_input(16, 10)), 8, 5);
+  const TriangleMesh mesh =
+      tests::rectangle_mesh(build_section(tests::rectangle_input(16, 10)), 8, 5);
   const TriangleLocator locator(mesh);
   const auto at = locator.locate({7.3, 10.4}, 1);
   ASSERT_GE(at.triangle, 0);
@@ -86,4 +86,4 @@ TEST(TriangleLocator, MovesAnOutsidePointToTheNearestPointOfTheMesh)
   EXPECT_NEAR(value(mesh, at, [](const Vec2& p) { return p.y(); }), 10, 1e-12);
   EXPECT_EQ(locator.locate({7.3, 12}, 1).triangle, -1);
 }
-} // namespace berm::coupling
+} // namespace berm::meshes

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/analysis.h"
+
+#include <string>
+#include <vector>
+
+namespace berm::app
+{
+/// A row of the report.
+struct ReportRow
+{
+  std::string label, text;
+};
+
+/// @brief Lines, exit gradients and heave, for the report's part on seepage.
+/// Pre: there was a seepage solve.
+[[nodiscard]] std::vector<ReportRow> reading_rows(const coupling::Case& input,
+                                                  const coupling::Analysis& analysis);
+} // namespace berm::app
