@@ -122,7 +122,7 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
                const std::vector<Boundary>& boundary, const Settings& settings, Observer& observer)
 {
   const Stopwatch watch;
-  const Problem problem{conductivity, boundary};
+  const Problem problem{conductivity, boundary, settings.distributed};
   const Stretching stretching(section, conductivity);
   const meshes::Section with_levels = with_head_levels(section, boundary);
   const meshes::Section drawn = stretching.stretched(with_levels);

@@ -2,6 +2,7 @@
 #include "seepage/first_mesh.h"
 
 #include "meshes/planar.h"
+#include "seepage/boundary.h"
 
 #include <Eigen/Geometry>
 

@@ -20,6 +20,14 @@ struct ConductivityTensor
   double xx = 0, xy = 0, yy = 0;
 };
 
+/// How the flow operator works.
+struct FlowOptions
+{
+  bool curves = false;      ///< a triangle may have van Genuchten's curve: costs more
+  bool distributed = false; ///< mesh, assembly and solve over all ranks, which call alike; else
+                            ///< each rank does all of it
+};
+
 /// Linear elements on one mesh. MPI and PETSc start with the first of these, and end with the
 /// process.
 class FlowOperator
@@ -27,9 +35,8 @@ class FlowOperator
 public:
   /// @param[in] conductivity  Of each triangle, shape (m).
   /// @param[in] weight        w of docs/theory.md eq. (2.5) at the nodes, shape (n).
-  /// @param[in] curves        Whether a triangle may have van Genuchten's curve: costs more.
   FlowOperator(const meshes::TriangleMesh& mesh, std::span<const ConductivityTensor> conductivity,
-               std::span<const double> weight, bool curves = false);
+               std::span<const double> weight, FlowOptions options = {});
   ~FlowOperator();
   FlowOperator(const FlowOperator&) = delete;
   FlowOperator& operator=(const FlowOperator&) = delete;

@@ -226,7 +226,7 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   // Step 2: the pressure.
   std::vector<double> weight = face_weight(mesh, conditions.face_edges);
   limit_weight(mesh, k_vertical, conditions.heaviest_rain, weight);
-  FlowOperator flow(mesh, tensors, weight, curves);
+  FlowOperator flow(mesh, tensors, weight, {.curves = curves, .distributed = problem.distributed});
   result.field = solve_by_strategies(flow, mesh, conditions, laws,
                                      {.height = height, .conductivity = k_mean}, coarser, observer);
   const std::vector<double>& p = result.field.p;
@@ -268,10 +268,10 @@ Solution finished(MeshSolution last, const Problem& problem)
   solution.stretch_runoff = std::move(water.runoff);
   for (const double rain : last.conditions.rain)
     solution.rain += rain;
-  solution.stream_function =
-      field.inflow > 0
-          ? stream_function(last.mesh, last.effective, solution.head, at_boundary, field.inflow)
-          : std::vector<double>(n, 0);
+  solution.stream_function = field.inflow > 0
+                                 ? stream_function(last.mesh, last.effective, solution.head,
+                                                   at_boundary, field.inflow, problem.distributed)
+                                 : std::vector<double>(n, 0);
   solution.reaction = std::move(at_boundary.reaction);
   solution.flux = std::move(last.flux);
   solution.phreatic_lines = std::move(last.phreatic_lines);

@@ -21,6 +21,7 @@ struct Problem
 {
   const std::vector<Conductivity>& conductivity; ///< of each soil
   const std::vector<Boundary>& boundary;         ///< of each stretch
+  bool distributed = false;                      ///< over the ranks: FlowOptions
 };
 
 /// A converged solution with what the next mesh is made from.

@@ -45,6 +45,8 @@ struct Settings
   double tolerance = 5e-4;       ///< of the discharge, relative [-]
   double phreatic_tolerance = 0; ///< of the phreatic line [m]; 0: a 400th of the water's height
   Index most_unknowns = 100'000; ///< a mesh with as many nodes is not refined
+  /// Over all ranks of MPI, which all call alike and all get the solution; else each does all.
+  bool distributed = false;
 };
 
 /// @brief Boundary conditions of the section's stretches: pools are heads, ground is a seepage

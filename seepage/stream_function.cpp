@@ -105,7 +105,7 @@ Loops sorted_loops(const meshes::TriangleMesh& mesh, const std::vector<std::size
 std::vector<double> stream_function(const meshes::TriangleMesh& mesh,
                                     std::span<const ConductivityTensor> conductivity,
                                     std::span<const double> head, const BoundaryFlow& flow,
-                                    double discharge)
+                                    double discharge, bool distributed)
 {
   const std::vector<std::size_t> piece = meshes::pieces(mesh);
   const auto [outer, holes] = sorted_loops(mesh, piece);
@@ -124,7 +124,8 @@ std::vector<double> stream_function(const meshes::TriangleMesh& mesh,
     const double c = scale / (k.xx * k.yy - k.xy * k.xy);
     dual.push_back({.xx = c * k.xx, .xy = c * k.xy, .yy = c * k.yy});
   }
-  FlowOperator solver(mesh, dual, std::vector<double>(n, 1));
+  FlowOperator solver(mesh, dual, std::vector<double>(n, 1),
+                      {.curves = false, .distributed = distributed});
 
   GivenValues values{.given = std::vector<std::uint8_t>(n, 0), .psi = std::vector<double>(n, 0)};
   for (const Loop& loop : outer)

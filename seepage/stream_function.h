@@ -30,11 +30,13 @@ struct BoundaryFlow
 /// @param[in] conductivity  Effective, k_r K, of each triangle [m/s], shape (m).
 /// @param[in] head          At the nodes [m], shape (n).
 /// @param[in] discharge     What psi is scaled with, > 0 [m2/s].
+/// @param[in] distributed   Over the ranks: FlowOptions.
 /// @return [m2/s], shape (n); 0 is its smallest value on the boundary of each piece, it grows to
 /// the
 ///         left of the flow. Empty if water passes through a line in the soil.
 [[nodiscard]] std::vector<double> stream_function(const meshes::TriangleMesh& mesh,
                                                   std::span<const ConductivityTensor> conductivity,
                                                   std::span<const double> head,
-                                                  const BoundaryFlow& flow, double discharge);
+                                                  const BoundaryFlow& flow, double discharge,
+                                                  bool distributed = false);
 } // namespace berm::seepage
