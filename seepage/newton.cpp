@@ -45,7 +45,6 @@ constexpr double nearly_there = 0.05, divergence = 1e9;
 // them, with which no set comes twice (Murty 1974) as far as the problem is linear.
 constexpr int block_changes = 5, face_steps = 160;
 
-constexpr int steps_at_once = 30;          ///< of a start at the last level
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
 constexpr double first_k_min = 1e-4;       ///< until eps is final [-]
 constexpr double stage_factor_k_min = 0.1; ///< of k_min from level to level after that
@@ -97,7 +96,7 @@ public:
   }
 
   /// At the last level from the start.
-  bool at_once(const Level& end) { return stage(end, final_tolerance, steps_at_once); }
+  bool at_once(const Level& end) { return stage(end, final_tolerance); }
 
   /// From one level, at which the iterate is converged, to the next; halfway first if that fails.
   bool advance(const Level& from, const Level& to, double tolerance, int halvings)
@@ -187,7 +186,7 @@ public:
 
 private:
   /// Newton steps at one level until converged; false if they do not get there.
-  bool stage(const Level& level, double tolerance, int longest = steps_per_stage)
+  bool stage(const Level& level, double tolerance)
   {
     set_level(level);
     evaluate();
@@ -196,7 +195,7 @@ private:
     largest_move_ = height_;
     fewest_changes_ = std::numeric_limits<int>::max();
     since_fewest_ = 0;
-    for (int step = 0; step < longest + moved && moved < face_steps; ++step)
+    for (int step = 0; step < steps_per_stage + moved && moved < face_steps; ++step)
     {
       if (observer_.stop_requested())
         throw NotConverged("seepage: interrupted after " + history());

@@ -2,6 +2,7 @@
 #include "app/report.h"
 
 #include "app/console.h"
+#include "small_run.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +23,19 @@ TEST(Report, RoundPositionsAreFiveToEightRoundNumbersInside)
       EXPECT_LE(x.back(), lower + extent + 1e-9);
     }
   EXPECT_EQ(round_positions(2, 2), std::vector<double>{2});
+}
+
+TEST(Report, NamesAMeshThatAnotherStrategyThanTheFirstSolved)
+{
+  coupling::Analysis analysis = test::small_analysis();
+  EXPECT_EQ(report(test::small_case(), analysis, {}).find("from the"), std::string::npos);
+  analysis.seepage->history.push_back({.strategy = "coarser mesh"});
+  EXPECT_EQ(report(test::small_case(), analysis, {}).find("from the"), std::string::npos);
+  analysis.seepage->history.push_back({.strategy = "full section", .newton_steps = 40});
+  EXPECT_NE(report(test::small_case(), analysis, {})
+                .find("43 Newton steps on 3 meshes; mesh 3 from the full section"),
+            std::string::npos)
+      << report(test::small_case(), analysis, {});
 }
 
 TEST(Report, TellsTheFactorWithItsBracket)
