@@ -3,8 +3,6 @@
 
 #include "app/reading_files.h"
 
-#include <algorithm>
-
 namespace berm::app
 {
 namespace
@@ -42,11 +40,6 @@ Json line_json(const coupling::OutputLine& line, const seepage::LineReading& rea
 
 Json outlet_json(const seepage::Outlet& outlet, const coupling::Analysis& analysis)
 {
-  Polyline unbounded;
-  for (const seepage::ExitPoint& p : outlet.points)
-    if (p.beside_singularity &&
-        std::ranges::find(unbounded, *p.beside_singularity) == unbounded.end())
-      unbounded.push_back(*p.beside_singularity);
   Json json = {
       {"stretch", analysis.section.stretches.at(static_cast<std::size_t>(outlet.stretch)).name},
       {"from_m", point(outlet.points.front().at)},
@@ -56,7 +49,7 @@ Json outlet_json(const seepage::Outlet& outlet, const coupling::Analysis& analys
       {"at_m", nullptr},
       {"upward_gradient", nullptr},
       {"critical_gradient", nullptr},
-      {"unbounded_at_m", points(unbounded)},
+      {"unbounded_at_m", points(outlet.unbounded)},
       {"kept_away_m", outlet.kept_away}};
   if (outlet.steepest)
   {

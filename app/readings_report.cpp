@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace berm::app
 {
 namespace
@@ -33,19 +31,20 @@ void add_line(std::vector<ReportRow>& rows, const coupling::OutputLine& line,
 void add_outlet(std::vector<ReportRow>& rows, const seepage::Outlet& outlet,
                 const std::string& stretch)
 {
-  const auto beside = std::ranges::find_if(outlet.points, [](const seepage::ExitPoint& p)
-                                           { return p.beside_singularity.has_value(); });
-  std::string text = fmt::format("{}: ", stretch);
+  std::string text = stretch + ": all of it beside where it has no bound";
   if (outlet.steepest)
   {
     const seepage::ExitPoint& p = outlet.points[*outlet.steepest];
-    text += fmt::format("{:.3f} at {}", p.normal, point_text(p.at));
+    text = fmt::format("{}: {:.3f} at {}", stretch, p.normal, point_text(p.at));
   }
   rows.push_back({"exit gradient", text});
-  if (beside != outlet.points.end())
-    rows.push_back(
-        {"", fmt::format("without bound at {}; what is nearer than {:.2g} m does not count",
-                         point_text(*beside->beside_singularity), outlet.kept_away)});
+  std::string places;
+  for (const Vec2& place : outlet.unbounded)
+    places += (places.empty() ? "" : ", ") + point_text(place);
+  if (!places.empty())
+    rows.push_back({"", fmt::format("without bound at {}; what is nearer than {:.2g} m does not "
+                                    "count",
+                                    places, outlet.kept_away)});
 }
 
 void add_heave(std::vector<ReportRow>& rows, const seepage::Heave& heave)

@@ -313,7 +313,7 @@ double crossing(const Vec2& a, const Vec2& b, const Vec2& centre, double radius)
 /// @param[in] edges  One after the other.
 Outlet outlet_of(const Solution& solution, const Side& edges, const Singularities& singularities)
 {
-  Outlet outlet{.stretch = edges.front()->stretch, .points = {}, .steepest = {}};
+  Outlet outlet{.stretch = edges.front()->stretch, .points = {}, .steepest = {}, .unbounded = {}};
   outlet.kept_away = singularities.reach();
   double distance = 0;
   const auto add = [&](const Edge& edge, double t, std::optional<Vec2> beside)
@@ -321,6 +321,8 @@ Outlet outlet_of(const Solution& solution, const Side& edges, const Singularitie
     ExitPoint& point = outlet.points.emplace_back(exit_point(solution, edge, t));
     point.distance = distance + t * edge.length;
     point.beside_singularity = beside;
+    if (beside && std::ranges::find(outlet.unbounded, *beside) == outlet.unbounded.end())
+      outlet.unbounded.push_back(*beside);
   };
   for (const Edge* edge : edges)
   {
@@ -345,6 +347,8 @@ Outlet outlet_of(const Solution& solution, const Side& edges, const Singularitie
 std::vector<Outlet> outlets(const Solution& solution, std::span<const Boundary> boundary,
                             std::span<const Conductivity> conductivity)
 {
+  if (!(solution.discharge > 0))
+    return {};
   std::vector<Edge> edges = edges_of(solution, boundary, conductivity);
   const Singularities singularities(solution.mesh, edges);
   for (const Side& side : sides_of(edges))

@@ -35,6 +35,7 @@ struct Outlet
   /// Index of the point with the largest normal gradient of those not beside a singularity; nothing
   /// if all are.
   std::optional<std::size_t> steepest;
+  Polyline unbounded;   ///< the singularities that points lie beside, each once [m]
   double kept_away = 0; ///< how far from a singularity a point has to be to count [m]
 };
 
@@ -48,7 +49,7 @@ struct Outlet
 /// but do not count; the profile has a point where they begin to.
 /// @param[in] boundary      One entry for each stretch, as it was solved with.
 /// @param[in] conductivity  One entry for each soil index.
-/// @return Outlets with more than 1e-7 of the discharge, counter-clockwise along the boundary.
+/// @return Outlets with more than 1e-7 of the discharge, none if only rounding flows.
 [[nodiscard]] std::vector<Outlet> outlets(const Solution& solution,
                                           std::span<const Boundary> boundary,
                                           std::span<const Conductivity> conductivity);

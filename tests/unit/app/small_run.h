@@ -63,6 +63,7 @@ inline coupling::Analysis small_analysis()
                     .soil = 0,
                     .beside_singularity = {}}};
   outlet.steepest = 1;
+  outlet.unbounded = {{1, 1}};
   outlet.kept_away = 0.125;
   read.critical_gradient = {1};
   read.heave.surface = {.factor = 4, .gradient = 0.25, .critical_gradient = 1, .at = {0.5, 1}};

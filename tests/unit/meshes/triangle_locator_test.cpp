@@ -15,8 +15,7 @@ namespace
 /// shape.
 TriangleMesh distorted_mesh()
 {
-  TriangleMesh mesh =
-      tests::rectangle_mesh(build_section(tests::rectangle_input(16, 10)), 23, 17);
+  TriangleMesh mesh = tests::rectangle_mesh(build_section(tests::rectangle_input(16, 10)), 23, 17);
   for (Vec2& node : mesh.nodes)
     node = {node.x() * (1 + 0.03 * node.x()) + 0.3 * node.y(),
             node.y() * (1 + 0.05 * node.y()) + 0.02 * node.x() * node.x()};
