@@ -38,8 +38,11 @@ struct RunOptions
 
 int run_case(const RunOptions& options, KeyPlaces& places)
 {
-  const coupling::Case input = read_case(options.case_path, options.read, places);
+  coupling::Case input = read_case(options.case_path, options.read, places);
   Team& team = process_team();
+  // The seepage stage alone: the ranks share it. Before trials, which they share, each does all of
+  // it, so that no result depends on their number.
+  input.seepage.distributed = options.read.seepage_only && team.size() > 1;
   const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
   const std::filesystem::path directory = options.out.empty() ? default_directory(options.case_path)
                                                               : std::filesystem::path(options.out);

@@ -86,8 +86,7 @@ TEST(Overflow, HasADischargeThatConvergesWithTheMesh)
   std::vector<double> q;
   for (const double size : {2.0, 1.0, 0.5})
     q.push_back(seepage::solve(section, {{1, 1, 0}}, seepage::boundary_conditions(section, {}),
-                               {.element_size = size, .refined_size = 0, .adaptive = false},
-                               observer)
+                               {.element_size = size, .adaptive = false}, observer)
                     .discharge);
   EXPECT_LT(std::abs(q[2] - q[1]), 0.75 * std::abs(q[1] - q[0]));
 }

@@ -125,7 +125,7 @@ std::vector<RelativeConductivity> mixed_laws(const Problem& problem)
 TEST(FlowOperator, FluxOfAUniformSuctionIsThatOfEachTrianglesLaw)
 {
   const Problem problem;
-  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, true);
+  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, {.curves = true});
   const std::vector<RelativeConductivity> laws = mixed_laws(problem);
   flow.set_relative_conductivity(laws);
   for (const double p : {-40.0, -0.7, -0.01, 0.2, 1.0})
@@ -190,7 +190,7 @@ TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfTheResidual)
 TEST(FlowOperator, CorrectionSolvesWithTheDerivativeOfSoilsWithCurves)
 {
   const Problem problem = weighted_problem();
-  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, true);
+  FlowOperator flow(problem.mesh, problem.k_sat, problem.weight, {.curves = true});
   flow.set_relative_conductivity(mixed_laws(problem));
   expect_derivative(flow, problem);
 }

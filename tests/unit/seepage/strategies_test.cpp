@@ -54,12 +54,19 @@ struct Dam
   Dam()
       : mesh(tests::rectangle_mesh(section(), 32, 16)),
         conditions(node_conditions(mesh, boundary())), k(mesh.triangles.size(), 1),
-        laws(mesh.triangles.size(), RelativeConductivity{.eps = 0.1, .k_min = 1e-5}),
+        laws(mesh.triangles.size(), law()),
         flow(mesh, std::vector(mesh.triangles.size(), ConductivityTensor{1, 0, 1}),
              face_weight(mesh, conditions.face_edges))
   {
   }
 
+  static RelativeConductivity law()
+  {
+    RelativeConductivity result;
+    result.eps = 0.1;
+    result.k_min = 1e-5;
+    return result;
+  }
   static std::vector<Boundary> boundary() { return boundary_conditions(section(), {}); }
   static meshes::Section section()
   {
