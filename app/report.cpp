@@ -114,6 +114,20 @@ void add_meshes(Page& page, const seepage::Solution& s)
                        s.history.size() == 1 ? "mesh" : "meshes", others));
 }
 
+std::string error_text(const seepage::Solution& s)
+{
+  const seepage::ErrorEstimate& e = s.error;
+  std::string text;
+  if (s.discharge > 0)
+    text = fmt::format("discharge {:.2g} %, ", 100 * *e.discharge / s.discharge);
+  text += fmt::format("heads {:.2g} m", e.head.empty() ? 0 : std::ranges::max(e.head));
+  if (!s.phreatic_lines.empty())
+    text += fmt::format(", phreatic line {:.2g} m in the mean", e.phreatic_line.value_or(0));
+  if (e.exit_point)
+    text += fmt::format(", exit point {:.2g} m", *e.exit_point);
+  return text + (e.within_tolerance ? "" : "; MORE than the tolerance");
+}
+
 void add_seepage(Page& page, const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const seepage::Solution& s = *analysis.seepage;
@@ -130,6 +144,8 @@ void add_seepage(Page& page, const coupling::Case& input, const coupling::Analys
              fmt::format("{:.4g} m2/s, of which {:.4g} m2/s enters and {:.4g} m2/s runs off",
                          s.rain, s.rain - runoff, runoff));
   }
+  if (s.error.discharge)
+    page.row("estimated error", error_text(s));
   page.row("water balance",
            fmt::format("inflow and outflow differ by {:.1e} of the inflow", s.balance));
   page.row("exit point", s.exit_point    ? point_text(*s.exit_point)

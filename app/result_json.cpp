@@ -97,6 +97,16 @@ Json section_json(const coupling::Case& input, const meshes::Section& s)
           {"inner_lines", inner}};
 }
 
+/// What the numbers of the seepage are thought to be off by.
+Json error_json(const seepage::ErrorEstimate& error)
+{
+  return {{"discharge_m2_s", or_null(error.discharge)},
+          {"phreatic_line_m", or_null(error.phreatic_line)},
+          {"exit_point_m", or_null(error.exit_point)},
+          {"head_m", error.head.empty() ? Json(nullptr) : Json(std::ranges::max(error.head))},
+          {"within_tolerance", error.within_tolerance}};
+}
+
 Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysis)
 {
   const seepage::Solution& s = *analysis.seepage;
@@ -122,18 +132,22 @@ Json seepage_json(const coupling::Case& input, const coupling::Analysis& analysi
                       {"residual", h.residual},
                       {"discharge_m2_s", h.discharge},
                       {"seconds", {{"solve", h.seconds}, {"mesh", h.mesh_seconds}}}});
-  Json json = {{"discharge_m2_s", s.discharge},
-               {"discharge_over_k_m", or_null(discharge_over_k(input, analysis))},
-               {"exit_point_m", s.exit_point ? point(*s.exit_point) : Json(nullptr)},
-               {"phreatic_line_m", lines.empty() ? Json::array() : lines.front()},
-               {"phreatic_lines_m", lines},
-               {"inflow_m2_s", s.inflow},
-               {"outflow_m2_s", s.outflow},
-               {"balance", s.balance},
-               {"stretches", stretches},
-               {"probes", probe_list},
-               {"meshes", meshes},
-               {"seconds", seconds(s.seconds)}};
+  Json json = {
+      {"discharge_m2_s", s.discharge},
+      {"discharge_over_k_m", or_null(discharge_over_k(input, analysis))},
+      {"exit_point_m", s.exit_point ? point(*s.exit_point) : Json(nullptr)},
+      {"phreatic_line_m", lines.empty() ? Json::array() : lines.front()},
+      {"phreatic_lines_m", lines},
+      {"inflow_m2_s", s.inflow},
+      {"outflow_m2_s", s.outflow},
+      {"balance", s.balance},
+      {"rain_m2_s", s.rain},
+      {"runoff_m2_s", std::accumulate(s.stretch_runoff.begin(), s.stretch_runoff.end(), 0.0)},
+      {"estimated_error", error_json(s.error)},
+      {"stretches", stretches},
+      {"probes", probe_list},
+      {"meshes", meshes},
+      {"seconds", seconds(s.seconds)}};
   json.update(readings_json(input, analysis));
   return json;
 }

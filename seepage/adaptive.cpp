@@ -22,22 +22,32 @@ namespace
 /// Of the indicators' sum over the dissipated energy: what a solution is off by at least,
 /// docs/theory.md eq. (2.19).
 constexpr double least_error_share = 0.1;
-constexpr double phreatic_tolerance_share = 2.5e-3; ///< of the height of the water, by default
+constexpr double phreatic_tolerance_share = 5e-4; ///< of the height of the water, by default
 
-/// Largest distance of a point of the lines from the other lines [m]; 0 if there are none.
+double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Polyline& line : lines)
+    for (std::size_t k = 1; k < line.size(); ++k)
+      nearest = std::min(nearest, meshes::distance(point, line[k - 1], line[k]));
+  return nearest;
+}
+
+/// Root mean square along the lines of their distance from the other lines [m]; 0 if there are
+/// none.
 double distance_between(const std::vector<Polyline>& lines, const std::vector<Polyline>& others)
 {
-  double largest = 0;
-  for (const Polyline& line : lines)
-    for (const Vec2& point : line)
-    {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Polyline& other : others)
-        for (std::size_t k = 1; k < other.size(); ++k)
-          nearest = std::min(nearest, meshes::distance(point, other[k - 1], other[k]));
-      largest = std::max(largest, nearest);
-    }
-  return others.empty() ? 0 : largest;
+  double sum = 0, length = 0;
+  if (!others.empty())
+    for (const Polyline& line : lines)
+      for (std::size_t k = 1; k < line.size(); ++k)
+      {
+        const double piece = (line[k] - line[k - 1]).norm();
+        const double d = distance_from(others, (line[k] + line[k - 1]) / 2);
+        sum += piece * d * d;
+        length += piece;
+      }
+  return length > 0 ? std::sqrt(sum / length) : 0;
 }
 
 /// What the error indicators say of the discharge, relative to it.

@@ -20,7 +20,7 @@ TEST(TwoSidedEmbankment, HasTheDischargeHeadsAndFreeSurfaceOfTheTrackedSolution)
   input.base = {{0, 0}, {191.4, 0}};
   input.left_pool_level = 24.4;
   const seepage::Solution s = solved(input, {{1e-7, 1e-7, 0}});
-  EXPECT_NEAR(s.discharge / 1e-7, 3.317, 0.0015 * 3.317); // the reference itself is +- 0.001
+  EXPECT_NEAR(s.discharge / 1e-7, 3.317, 5e-4 * 3.317); // the reference itself is +- 0.001
   EXPECT_LT(s.balance, 1e-8);
   // Heads of the reference +- 0.002 m.
   EXPECT_LT(largest_head_error(s, {{60, 5, 24.204},
@@ -31,7 +31,7 @@ TEST(TwoSidedEmbankment, HasTheDischargeHeadsAndFreeSurfaceOfTheTrackedSolution)
                                    {115, 10, 18.437},
                                    {130, 5, 15.437},
                                    {150, 3, 10.356}}),
-            0.008);
+            0.003);
   EXPECT_LT(largest_level_error(s, {{88, 23.70},
                                     {90, 23.138},
                                     {95, 22.119},
@@ -44,11 +44,12 @@ TEST(TwoSidedEmbankment, HasTheDischargeHeadsAndFreeSurfaceOfTheTrackedSolution)
                                     {140, 13.478},
                                     {145, 12.168}}),
             0.01);
-  ASSERT_TRUE(s.exit_point); // reference +- (0.05, 0.02) m; our edges there are 0.12 m
-  EXPECT_NEAR(s.exit_point->x(), 150.17, 0.12);
+  ASSERT_TRUE(s.exit_point); // reference +- (0.05, 0.02) m
+  EXPECT_NEAR(s.exit_point->x(), 150.17, 0.1);
   EXPECT_NEAR(s.exit_point->y(), 10.54, 0.06);
   EXPECT_NEAR(s.phreatic_lines.at(0).front().x(), 86.75, 0.01); // the waterline
   EXPECT_EQ(s.phreatic_lines.at(0).back(), *s.exit_point);
+  EXPECT_TRUE(s.error.within_tolerance);
   EXPECT_LT(s.seconds.cpu, 6); // 0.9 s where it was written; room for a slower machine
 }
 
