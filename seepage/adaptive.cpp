@@ -22,7 +22,7 @@ namespace
 /// Of the indicators' sum over the dissipated energy: what a solution is off by at least,
 /// docs/theory.md eq. (2.19).
 constexpr double least_error_share = 0.1;
-constexpr double phreatic_tolerance_share = 5e-4; ///< of the height of the water, by default
+constexpr double phreatic_tolerance_share = 1e-3; ///< of the height of the water, by default
 
 double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
 {

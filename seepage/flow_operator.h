@@ -52,7 +52,7 @@ public:
   void residual(std::span<const double> p, std::vector<double>& residual);
 
   /// @brief Solve J(p) correction = right_side for the free nodes; the others keep zero.
-  /// Sparse LU up to 50 000 unknowns, above that GMRES with an algebraic multigrid, and LU where
+  /// Sparse LU up to 300 000 unknowns, above that GMRES with an algebraic multigrid, and LU where
   /// that stalls.
   /// @param[in] fixed  Nonzero where the node has a given pressure, shape (n).
   /// @throws NotConverged if neither solves.

@@ -43,6 +43,8 @@ constexpr double nearly_there = 0.05, divergence = 1e9;
 // the first stage is a patient one: steps that move the seepage face are counted apart, and once
 // the number of changes has not fallen for so many steps, one node changes at a time, the first of
 // them, with which no set comes twice (Murty 1974) as far as the problem is linear.
+// A start at the last level may hang on a node at the kink of k_r, from where another one goes on.
+constexpr int stalled_at_once = 7;
 constexpr int block_changes = 5, face_steps = 160;
 
 constexpr double stage_factor = 0.25;      ///< of eps from level to level
@@ -96,7 +98,7 @@ public:
   }
 
   /// At the last level from the start.
-  bool at_once(const Level& end) { return stage(end, final_tolerance); }
+  bool at_once(const Level& end) { return stage(end, final_tolerance, stalled_at_once); }
 
   /// From one level, at which the iterate is converged, to the next; halfway first if that fails.
   bool advance(const Level& from, const Level& to, double tolerance, int halvings)
@@ -186,7 +188,7 @@ public:
 
 private:
   /// Newton steps at one level until converged; false if they do not get there.
-  bool stage(const Level& level, double tolerance)
+  bool stage(const Level& level, double tolerance, int longest_stall = steps_per_stage)
   {
     set_level(level);
     evaluate();
@@ -224,6 +226,8 @@ private:
         return true;
       if (!(residual < divergence * std::max(first, 1.0)) ||
           (step >= steps_to_halve + moved && residual > 0.5 * std::max(first, nearly_there)))
+        return false;
+      if (stalled >= longest_stall)
         return false;
       newton_step(residual < strict_below || stalled >= strict_after ? 1 : growth_allowed);
       ++history_.newton_steps;

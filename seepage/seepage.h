@@ -42,8 +42,8 @@ struct Settings
   /// drop of the water, whichever is less, but not so small that it exceeds 10 000 triangles.
   double element_size = 0;
   bool adaptive = true;          ///< refine until the tolerances are met; else one mesh
-  double tolerance = 5e-4;       ///< of the discharge, relative [-]
-  double phreatic_tolerance = 0; ///< of the phreatic line [m]; 0: a 2000th of the water's height
+  double tolerance = 3e-4;       ///< of the discharge, relative [-]
+  double phreatic_tolerance = 0; ///< of the phreatic line [m]; 0: a thousandth of the water's height
   Index most_unknowns = 100'000; ///< a mesh with as many nodes is not refined
   /// Over all ranks of MPI, which all call alike and all get the solution; else each does all.
   bool distributed = false;
