@@ -49,15 +49,16 @@ inline meshes::SectionInput kozeny_dam()
   return input;
 }
 
-/// The solution with default settings.
+/// The solution, with default settings unless others are given.
 inline seepage::Solution solved(const meshes::SectionInput& input,
                                 const std::vector<seepage::Conductivity>& conductivity,
-                                const std::vector<seepage::Boundary>& marked = {})
+                                const std::vector<seepage::Boundary>& marked = {},
+                                const seepage::Settings& settings = {})
 {
   const meshes::Section section = meshes::build_section(input);
   Observer observer;
-  return seepage::solve(section, conductivity, seepage::boundary_conditions(section, marked), {},
-                        observer);
+  return seepage::solve(section, conductivity, seepage::boundary_conditions(section, marked),
+                        settings, observer);
 }
 
 inline double largest_head_error(const seepage::Solution& solution, const std::vector<Known>& known)
