@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
 #include "meshes/mesher.h"
 #include "meshes/planar.h"
 #include "seepage/first_mesh.h"
@@ -149,12 +150,35 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
   std::vector<SolveHistory> history;
   std::optional<MeshSolution> before;
   std::optional<CoarserField> coarser;
+  ErrorEstimate error;
+  const auto answer = [&](MeshSolution last)
+  {
+    Solution solution = finished(std::move(last), problem);
+    solution.error = std::move(error);
+    solution.history = std::move(history);
+    solution.seconds = watch.elapsed();
+    return solution;
+  };
   for (;;)
   {
-    MeshSolution now = solve_one_mesh(std::move(mesh), problem, coarser, observer);
+    MeshSolution now;
+    try
+    {
+      now = solve_one_mesh(std::move(mesh), problem, coarser, observer);
+    }
+    catch (const NotConverged&)
+    {
+      if (!before || observer.stop_requested())
+        throw;
+      observer.warn(
+          fmt::format("seepage: no convergence on a finer mesh; the results are those with "
+                      "{} unknowns, outside the tolerance",
+                      before->mesh.nodes.size()));
+      return answer(std::move(*before));
+    }
     now.field.history.mesh_seconds = mesh_seconds;
     history.push_back(now.field.history);
-    ErrorEstimate error = before ? estimate(now, *before, coarser->p) : first_estimate(now);
+    error = before ? estimate(now, *before, coarser->p) : first_estimate(now);
     report(history.back(), error, history.size(), observer);
 
     const double phreatic_tolerance = settings.phreatic_tolerance > 0
@@ -170,15 +194,14 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
         observer.warn(fmt::format("seepage: the tolerance is not met with {} unknowns; the "
                                   "estimated errors stand beside the results",
                                   now.mesh.nodes.size()));
-      Solution solution = finished(std::move(now), problem);
-      solution.error = std::move(error);
-      solution.history = std::move(history);
-      solution.seconds = watch.elapsed();
-      return solution;
+      return answer(std::move(now));
     }
     mesh_watch = {};
     NextMesh next = next_mesh(stretching.stretched(now.mesh), now.indicator,
-                              {.p = now.field.p, .eps = now.eps, .largest_eps = now.surface_eps},
+                              {.p = now.field.p,
+                               .eps = now.eps,
+                               .largest_eps = now.surface_eps,
+                               .smoothing_share = now.smoothing_share},
                               static_cast<std::size_t>(settings.most_unknowns));
     mesh = stretching.unstretched(std::move(next.mesh));
     mesh_seconds = mesh_watch.elapsed().wall;

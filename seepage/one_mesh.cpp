@@ -19,7 +19,8 @@ namespace
 {
 // Numbers of the method: docs/theory.md section 2.
 
-constexpr double smoothing_share = 0.2; ///< eps over the element size [-]
+// eps over the element size; where that does not converge, and from there on, the larger one [-].
+constexpr double smoothing_share = 0.2, larger_smoothing_share = 0.5;
 // Far above the free surface a soil conducts at most this share of its own conductivity, and at
 // most that share of the least conductive soil's: a dry drain must not pass what a wet core does.
 constexpr double k_min_own = 1e-5, k_min_lowest = 0.1, k_min_floor = 1e-11;
@@ -209,17 +210,21 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   const double k_low = std::ranges::min(k_mean);
   const std::vector<double> size = element_sizes(mesh);
   std::vector<RelativeConductivity> law_of_soil, laws;
-  std::vector<double> eps;
   for (const Conductivity& k : problem.conductivity)
     law_of_soil.push_back(law_of(k.retention));
-  for (std::size_t t = 0; t < k_sat.size(); ++t)
+  const auto smooth_over = [&](double share)
   {
-    const double k_min = // docs/theory.md eq. (2.10)
-        std::clamp(k_min_lowest * k_low / k_mean[t], k_min_floor, k_min_own);
-    laws.push_back(on_mesh(law_of_soil[static_cast<std::size_t>(mesh.triangle_soil[t])],
-                           smoothing_share * size[t], k_min));
-    eps.push_back(laws.back().eps);
-  }
+    laws.clear();
+    for (std::size_t t = 0; t < k_sat.size(); ++t)
+    {
+      const double k_min = // docs/theory.md eq. (2.10)
+          std::clamp(k_min_lowest * k_low / k_mean[t], k_min_floor, k_min_own);
+      laws.push_back(on_mesh(law_of_soil[static_cast<std::size_t>(mesh.triangle_soil[t])],
+                             share * size[t], k_min));
+    }
+  };
+  result.smoothing_share = coarser ? coarser->smoothing_share : smoothing_share;
+  smooth_over(result.smoothing_share);
   const bool curves = std::ranges::any_of(laws, [](const RelativeConductivity& law)
                                           { return law.curve.scale > 0; });
 
@@ -227,8 +232,24 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   std::vector<double> weight = face_weight(mesh, conditions.face_edges);
   limit_weight(mesh, k_vertical, conditions.heaviest_rain, weight);
   FlowOperator flow(mesh, tensors, weight, {.curves = curves, .distributed = problem.distributed});
-  result.field = solve_by_strategies(flow, mesh, conditions, laws,
-                                     {.height = height, .conductivity = k_mean}, coarser, observer);
+  const auto solve_here = [&]
+  {
+    return solve_by_strategies(flow, mesh, conditions, laws,
+                               {.height = height, .conductivity = k_mean}, coarser, observer);
+  };
+  try
+  {
+    result.field = solve_here();
+  }
+  catch (const NotConverged&)
+  {
+    if (observer.stop_requested() || result.smoothing_share == larger_smoothing_share)
+      throw;
+    observer.note("no convergence; now with the free surface smoothed over half an element");
+    result.smoothing_share = larger_smoothing_share;
+    smooth_over(result.smoothing_share);
+    result.field = solve_here();
+  }
   const std::vector<double>& p = result.field.p;
   check_finite(mesh, p);
 
@@ -237,6 +258,9 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   result.effective = effective(mesh, p, weight, laws, tensors);
   result.phreatic_lines = zero_contours(mesh, p);
   result.exit_point = find_exit(mesh, conditions, result.field.entering, result.phreatic_lines);
+  std::vector<double> eps;
+  for (const RelativeConductivity& law : laws)
+    eps.push_back(law.eps);
   result.eps = largest_around(mesh, eps);
   result.surface_eps = surface_eps(mesh, p, eps);
   const GivenFlow given = given_flow(

@@ -33,6 +33,7 @@ struct MeshSolution
   std::vector<Vec2> flux;                    ///< Darcy, of each triangle [m/s], shape (m)
   std::vector<ConductivityTensor> effective; ///< k_r K of each triangle [m/s], shape (m)
   std::vector<double> indicator;             ///< docs/theory.md eq. (2.15) [m3/s], shape (m)
+  double smoothing_share = 0;                ///< eps over the element size [-]
   std::vector<double> eps; ///< smoothing of k_r, largest around each node [m], shape (n)
   double surface_eps = 0;  ///< the largest of a triangle that the free surface crosses [m]
   std::vector<Polyline> phreatic_lines; ///< as in Solution

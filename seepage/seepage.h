@@ -41,9 +41,10 @@ struct Settings
   /// Edge length of the first mesh [m]. 0: a 20th of the section's smaller extent or a 12th of the
   /// drop of the water, whichever is less, but not so small that it exceeds 10 000 triangles.
   double element_size = 0;
-  bool adaptive = true;          ///< refine until the tolerances are met; else one mesh
-  double tolerance = 3e-4;       ///< of the discharge, relative [-]
-  double phreatic_tolerance = 0; ///< of the phreatic line [m]; 0: a thousandth of the water's height
+  bool adaptive = true;    ///< refine until the tolerances are met; else one mesh
+  double tolerance = 3e-4; ///< of the discharge, relative [-]
+  double phreatic_tolerance =
+      0; ///< of the phreatic line [m]; 0: a thousandth of the water's height
   Index most_unknowns = 100'000; ///< a mesh with as many nodes is not refined
   /// Over all ranks of MPI, which all call alike and all get the solution; else each does all.
   bool distributed = false;
@@ -62,10 +63,10 @@ struct Settings
 /// Saturated flow with a sharp free surface, or with a capillary fringe in soils that have a
 /// retention curve; docs/theory.md section 2. When adaptive, the triangles that the error comes
 /// from are cut, and the solve is repeated from the solution before, until the estimated errors are
-/// within the tolerances; if they are not with the most unknowns allowed, the observer is warned
-/// and the solution says so. A boundary of kind head acts as a potential seepage face above its
-/// level. MPI and PETSc start with the first solve and end with the process; the
-/// same input gives the same bits.
+/// within the tolerances; if they are not with the most unknowns allowed, or a finer mesh does not
+/// converge, the observer is warned and the solution says so. A boundary of kind head acts as a
+/// potential seepage face above its level. MPI and PETSc start with the first solve and end with
+/// the process; the same input gives the same bits.
 /// @param[in] conductivity  One entry for each soil index that the section uses.
 /// @param[in] boundary      One entry for each stretch of the section.
 /// @throws NotConverged if Newton, the active set or the water balance does not, or if the observer

@@ -32,8 +32,8 @@ namespace la = dolfinx::la;
 
 namespace
 {
-/// Above this many unknowns an iterative solver is about as fast as LU and needs less memory; below,
-/// it is slower (bench_seepage), and it stalls behind tight cores.
+/// Above this many unknowns an iterative solver is about as fast as LU and needs less memory;
+/// below, it is slower (bench_seepage), and it stalls behind tight cores.
 constexpr std::size_t largest_direct_solve = 300'000;
 /// Relative residual of the iterative solver: Newton needs no more.
 constexpr double iterative_tolerance = 1e-6;

@@ -13,9 +13,10 @@ namespace berm::seepage
 /// A coarser mesh's solution at the nodes of the present mesh.
 struct CoarserField
 {
-  std::vector<double> p;   ///< pressure head [m], shape (n)
-  std::vector<double> eps; ///< smoothing of k_r that it was solved with [m], shape (n)
-  double largest_eps = 0;  ///< of the coarser mesh [m]
+  std::vector<double> p;      ///< pressure head [m], shape (n)
+  std::vector<double> eps;    ///< smoothing of k_r that it was solved with [m], shape (n)
+  double largest_eps = 0;     ///< of the coarser mesh [m]
+  double smoothing_share = 0; ///< eps over the element size there [-]
 };
 
 /// @brief Dry soil through which water trickles has the k_r that conducts it, whatever eps is:

@@ -156,10 +156,10 @@ TEST(HardSeepageLevelsSlow, WaterAHairBelowABermSeepsAsAtItAHairAboveAsWellAbove
 
 TEST(HardSeepageStepsSlow, AMeshOnACoarserSolutionTakesFewSteps)
 {
-  // Cores, drains, ground that water trickles through aside: 12 times finer than the mesh before.
+  // Cores, drains, ground that water trickles through aside.
   int meshes = 0, steps = 0;
-  for (const char* name : {"Core1e2", "ToeDrain1e3", "Wide1e1", "LevelAtVertex", "NearlyFull",
-                           "Apron1in200", "ReentrantCut", "BothPools", "Height1e1K1e0"})
+  for (const char* name : {"Wide1e1", "LevelAtVertex", "NearlyFull", "Apron1in200", "ReentrantCut",
+                           "BothPools", "Height1e1K1e0"})
     for (const HardSeepage& hard : tests::hard_seepage())
       if (hard.name == name)
       {
@@ -177,8 +177,8 @@ TEST(HardSeepageStepsSlow, AMeshOnACoarserSolutionTakesFewSteps)
 
 // Isotropic triangles break the maximum principle at 1e4 : 1 by 6 % of the drop, and their
 // discharge is 2 % off. In coordinates in which the dominant soil is isotropic both hold as they do
-// there; enabled with meshes that are made in them.
-TEST(HardSeepageAnisotropySlow, DISABLED_KeepsTheMaximumPrincipleAndTheDischargeAt1e4)
+// there.
+TEST(HardSeepageAnisotropySlow, KeepsTheMaximumPrincipleAndTheDischargeAt1e4)
 {
   for (const HardSeepage& hard : tests::hard_seepage())
     if (hard.name == "Wide1e4" || hard.name == "Tall1e4")

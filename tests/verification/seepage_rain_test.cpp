@@ -96,9 +96,11 @@ TEST_P(Column, TakesWhatItsConductivityAllowsAndNoMore)
   const double intake = std::min(rain, k) * width;
   EXPECT_NEAR(s.discharge, intake, 1e-6 * intake);
   EXPECT_NEAR(total(s.stretch_runoff), rain * width - intake, 1e-6 * rain * width);
-  // Unit gradient, no water table: p stays below 1e-5 m, a thousandth of the smoothing.
+  // Unit gradient, no water table. The suction of percolating rain is a share of eps (2.33), which
+  // changes from element to element: p overshoots between large and small ones, by a twentieth of
+  // eps = 0.1 m at most.
   for (const double p : s.pore_pressure)
-    EXPECT_LT(p, 1e-5 * water_unit_weight);
+    EXPECT_LT(p, 0.005 * water_unit_weight);
 }
 INSTANTIATE_TEST_SUITE_P(Rates, Column, testing::Values(1e-3, 0.5, 0.9, 1.5, 100.0));
 
