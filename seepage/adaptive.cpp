@@ -93,7 +93,7 @@ ErrorEstimate estimate(const MeshSolution& now, const MeshSolution& before,
     error.exit_point = (*now.exit_point - *before.exit_point).norm();
   error.head.reserve(p_before.size());
   for (std::size_t i = 0; i < p_before.size(); ++i)
-    error.head.push_back(std::abs(now.field.p[i] - p_before[i]));
+    error.head.push_back(now.field.p[i] >= 0 ? std::abs(now.field.p[i] - p_before[i]) : 0);
   return error;
 }
 

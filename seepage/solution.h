@@ -31,7 +31,7 @@ struct ErrorEstimate
   std::optional<double> discharge;     ///< [m2/s]
   std::optional<double> phreatic_line; ///< root mean square of its distance [m]
   std::optional<double> exit_point;    ///< [m]
-  std::vector<double> head;            ///< at the nodes [m], shape (n) or empty
+  std::vector<double> head;            ///< at the nodes, 0 in dry soil [m], shape (n) or empty
   bool within_tolerance = false;       ///< of discharge and phreatic line
 };
 

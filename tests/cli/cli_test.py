@@ -286,6 +286,19 @@ class Cli(unittest.TestCase):
         _, err = self.mpirun(2, "run", DRY, "--out", "file", code=4)  # one rank alone finds out
         self.assertIn("cannot be made a directory", err)
 
+    @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
+    def test_ranks_that_share_a_seepage_solve_find_what_one_finds(self):
+        case = [CASES / "seepage.toml", "--set", "seepage.tolerance=3e-3", *NO_FIGURES]
+        self.berm("seepage", *case, "--out", "alone")
+        self.mpirun(2, "seepage", *case, "--out", "team")
+        alone, team = (self.result(d)["seepage"] for d in ("alone", "team"))
+        self.assertEqual([m["unknowns"] for m in team["meshes"]],
+                         [m["unknowns"] for m in alone["meshes"]])
+        q = alone["discharge_m2_s"]  # to the tolerance of the solves, 1e-8
+        self.assertAlmostEqual(team["discharge_m2_s"], q, delta=1e-7 * q)
+        for a, b in zip(alone["phreatic_line_m"], team["phreatic_line_m"]):
+            self.assertAlmostEqual(a[1], b[1], places=5)
+
     def test_quiet_prints_nothing(self):
         self.assertEqual(self.berm("run", DRY, *COARSE, *NO_FIGURES, "--quiet"), ("", ""))
 
