@@ -33,9 +33,7 @@ class SheetPile : public testing::TestWithParam<std::pair<double, double>>
 {
 };
 
-// q / (k H) for s / T: closed form with elliptic integrals. The tip is a square-root singularity,
-// where linear elements converge with the first power of the edges, here of a twelfth of a metre:
-// 0.5 %.
+// q / (k H) for s / T: closed form with elliptic integrals. The tip is a square-root singularity.
 TEST_P(SheetPile, HasItsExactDischarge)
 {
   const auto [depth, discharge] = GetParam();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walls, drains and wells of no thickness inside the section: docs/verification.md S-10.
+// Walls, drains and wells of no thickness inside the section: docs/verification.md S-14.
 #include "core/error.h"
 #include "meshes/mesher.h"
 #include "tests/verification/seepage_cases.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read of a solution, against closed forms: docs/verification.md S-9. Default settings.
+// What is read of a solution, against closed forms: docs/verification.md S-13. Default settings.
 #include "seepage/exit_gradient.h"
 #include "seepage/heave.h"
 #include "seepage/line_reading.h"
