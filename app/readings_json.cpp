@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/readings_json.h"
 
+#include "app/json_points.h"
 #include "app/reading_files.h"
 
 namespace berm::app
 {
 namespace
 {
-Json point(const Vec2& p)
-{
-  return Json::array({p.x(), p.y()});
-}
-
-Json points(const Polyline& line)
-{
-  Json list = Json::array();
-  for (const Vec2& p : line)
-    list.push_back(point(p));
-  return list;
-}
-
 Json line_json(const coupling::OutputLine& line, const seepage::LineReading& reading)
 {
   const seepage::WaterForce& water = reading.water;

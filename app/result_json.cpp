@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/result_json.h"
 
+#include "app/json_points.h"
 #include "app/readings_json.h"
 #include "app/version.h"
 #include "core/error.h"
@@ -18,19 +19,6 @@ namespace berm::app
 {
 namespace
 {
-Json point(const Vec2& p)
-{
-  return Json::array({p.x(), p.y()});
-}
-
-Json points(const Polyline& line)
-{
-  Json list = Json::array();
-  for (const Vec2& p : line)
-    list.push_back(point(p));
-  return list;
-}
-
 Json polygons(const std::vector<Polyline>& list)
 {
   Json json = Json::array();
