@@ -24,6 +24,7 @@ namespace
 /// docs/theory.md eq. (2.19).
 constexpr double least_error_share = 0.1;
 constexpr double phreatic_tolerance_share = 1e-3; ///< of the height of the water, by default
+constexpr std::size_t most_distances = 500; ///< of a phreatic line from that of the mesh before
 
 double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
 {
@@ -35,13 +36,13 @@ double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
 }
 
 /// Root mean square along the lines of their distance from the other lines [m]; 0 if there are
-/// none.
+/// none. Of a line of very many pieces, some in equal steps.
 double distance_between(const std::vector<Polyline>& lines, const std::vector<Polyline>& others)
 {
   double sum = 0, length = 0;
   if (!others.empty())
     for (const Polyline& line : lines)
-      for (std::size_t k = 1; k < line.size(); ++k)
+      for (std::size_t k = 1; k < line.size(); k += 1 + line.size() / most_distances)
       {
         const double piece = (line[k] - line[k - 1]).norm();
         const double d = distance_from(others, (line[k] + line[k - 1]) / 2);

@@ -52,8 +52,8 @@ public:
   void residual(std::span<const double> p, std::vector<double>& residual);
 
   /// @brief Solve J(p) correction = right_side for the free nodes; the others keep zero.
-  /// Sparse LU up to 300 000 unknowns, above that GMRES with an algebraic multigrid, and LU where
-  /// that stalls.
+  /// Sparse LU, in large systems as a preconditioner as long as it serves; on several ranks, and
+  /// for very many unknowns, GMRES with an algebraic multigrid first.
   /// @param[in] fixed  Nonzero where the node has a given pressure, shape (n).
   /// @throws NotConverged if neither solves.
   void correction(std::span<const double> p, std::span<const std::uint8_t> fixed,

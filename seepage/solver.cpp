@@ -32,12 +32,16 @@ namespace la = dolfinx::la;
 
 namespace
 {
-/// Above this many unknowns an iterative solver is about as fast as LU and needs less memory;
-/// below, it is slower (bench_seepage), and it stalls behind tight cores.
-constexpr std::size_t largest_direct_solve = 300'000;
+/// Above so many unknowns an iterative solver comes first: on one rank it needs less memory than
+/// LU, and is slower; on several it gains more from each (docs/performance.md).
+constexpr std::size_t largest_direct_solve = 1'500'000, largest_direct_solve_shared = 20'000;
 /// Relative residual of the iterative solver: Newton needs no more.
 constexpr double iterative_tolerance = 1e-6;
-constexpr int iterative_steps = 300;
+constexpr int iterative_steps = 100;
+/// From so many unknowns on, factors of an earlier Newton step precondition the next, unless that
+/// takes more than so many steps.
+constexpr std::size_t smallest_reuse = 50'000;
+constexpr int reuse_steps = 20;
 constexpr double smallest_pivot = 1e-200;
 
 static_assert(std::is_same_v<PetscScalar, double>, "berm needs PETSc with real scalars");
@@ -139,16 +143,30 @@ void add_up(std::vector<double>& values, MPI_Comm comm)
                   comm);
 }
 
-KspPtr direct_solver(Mat A)
+KspPtr make_solver(Mat A, KSPType type, int steps)
 {
   KSP ksp = nullptr;
   check(KSPCreate(communicator(A), &ksp), "KSPCreate");
   KspPtr owner(ksp);
   check(KSPSetOperators(ksp, A, A), "KSPSetOperators");
-  check(KSPSetType(ksp, KSPPREONLY), "KSPSetType");
+  check(KSPSetType(ksp, type), "KSPSetType");
+  check(KSPSetTolerances(ksp, iterative_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, steps),
+        "KSPSetTolerances");
+  return owner;
+}
+
+PC preconditioner(KSP ksp, PCType type)
+{
   PC pc = nullptr;
   check(KSPGetPC(ksp, &pc), "KSPGetPC");
-  check(PCSetType(pc, PCLU), "PCSetType");
+  check(PCSetType(pc, type), "PCSetType");
+  return pc;
+}
+
+KspPtr direct_solver(Mat A, bool reuse)
+{
+  KspPtr owner = make_solver(A, reuse ? KSPGMRES : KSPPREONLY, reuse_steps);
+  PC pc = preconditioner(owner.get(), PCLU);
   if (size_of(communicator(A)) > 1) // PETSc's own factorises on one rank only
   {
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "PCFactorSetMatSolverType");
@@ -169,18 +187,19 @@ KspPtr direct_solver(Mat A)
 
 KspPtr iterative_solver(Mat A)
 {
-  KSP ksp = nullptr;
-  check(KSPCreate(communicator(A), &ksp), "KSPCreate");
-  KspPtr owner(ksp);
-  check(KSPSetOperators(ksp, A, A), "KSPSetOperators");
-  check(KSPSetType(ksp, KSPGMRES), "KSPSetType");
-  check(KSPGMRESSetRestart(ksp, 100), "KSPGMRESSetRestart");
-  check(KSPSetTolerances(ksp, iterative_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, iterative_steps),
-        "KSPSetTolerances");
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc), "KSPGetPC");
-  check(PCSetType(pc, PCHYPRE), "PCSetType(hypre)");
+  KspPtr owner = make_solver(A, KSPGMRES, iterative_steps);
+  check(KSPGMRESSetRestart(owner.get(), iterative_steps), "KSPGMRESSetRestart");
+  PC pc = preconditioner(owner.get(), PCHYPRE);
   check(PCHYPRESetType(pc, "boomeramg"), "PCHYPRESetType");
+  // One level of aggressive coarsening: the cheapest hierarchy whose steps hardly grow in number
+  // with the mesh.
+  for (const auto& [option, value] : {std::pair{"agg_nl", "1"}, {"coarsen_type", "HMIS"},
+                                      {"interp_type", "ext+i"}, {"P_max", "4"}})
+    check(PetscOptionsSetValue(
+              nullptr, fmt::format("-berm_pc_hypre_boomeramg_{}", option).c_str(), value),
+          "PetscOptionsSetValue");
+  check(KSPSetOptionsPrefix(owner.get(), "berm_"), "KSPSetOptionsPrefix");
+  check(KSPSetFromOptions(owner.get()), "KSPSetFromOptions");
   return owner;
 }
 
@@ -218,17 +237,20 @@ std::shared_ptr<dolfinx::mesh::Mesh> make_mesh(const meshes::TriangleMesh& input
                                  {end_node - first_node, 2}, dolfinx::mesh::GhostMode::none));
 }
 
-using FieldPtr = std::shared_ptr<fem::Function<double>>;
-
-FieldPtr make_field(const char* name, const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
+/// The space of a coefficient of the forms.
+std::shared_ptr<const fem::FunctionSpace>
+space_of(const char* name, const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
 {
-  return std::make_shared<fem::Function<double>>(std::make_shared<fem::FunctionSpace>(
-      fem::create_functionspace(functionspace_form_flow_curve_jacobian, name, mesh)));
+  return std::make_shared<const fem::FunctionSpace>(
+      fem::create_functionspace(functionspace_form_flow_curve_jacobian, name, mesh));
 }
 } // namespace
 
 struct FlowOperator::Impl
 {
+  using Field = fem::Function<double>;
+  using FieldPtr = std::shared_ptr<Field>;
+
   MPI_Comm comm = MPI_COMM_SELF;
   // Renumberings: degree of freedom of this rank, ghosts last -> node; cell of this rank ->
   // triangle.
@@ -248,6 +270,29 @@ struct FlowOperator::Impl
   std::vector<double> dof_vector;
   std::vector<std::int8_t> fixed;
 
+  /// A x = b of n unknowns; false if nothing solves it.
+  bool solve(std::size_t n)
+  {
+    if (n > (size_of(comm) > 1 ? largest_direct_solve_shared : largest_direct_solve))
+    {
+      if (!iterative)
+        iterative = iterative_solver(A->mat());
+      if (seepage::solve(iterative.get(), *b, *x))
+        return true;
+    }
+    const bool reuse = n >= smallest_reuse;
+    if (!direct)
+      direct = direct_solver(A->mat(), reuse);
+    else if (reuse)
+    {
+      check(KSPSetReusePreconditioner(direct.get(), PETSC_TRUE), "KSPSetReusePreconditioner");
+      if (seepage::solve(direct.get(), *b, *x))
+        return true;
+      check(KSPSetReusePreconditioner(direct.get(), PETSC_FALSE), "KSPSetReusePreconditioner");
+    }
+    return seepage::solve(direct.get(), *b, *x);
+  }
+
   void set_pressure(std::span<const double> nodal)
   {
     const std::span<double> values = p->x()->mutable_array();
@@ -265,13 +310,14 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   Impl& s = *impl_;
   s.comm = options.distributed ? MPI_COMM_WORLD : MPI_COMM_SELF;
   s.mesh = make_mesh(mesh, s.comm);
-  s.p = make_field("p", s.mesh);
-  s.w = make_field("w", s.mesh);
-  s.eps = make_field("eps", s.mesh);
-  s.shift = make_field("shift", s.mesh);
-  s.k_min = make_field("k_min", s.mesh);
-  s.k_sat = make_field("k_sat", s.mesh);
-  s.curve = make_field("curve", s.mesh);
+  const auto V = space_of("p", s.mesh), per_triangle = space_of("eps", s.mesh);
+  s.p = std::make_shared<Impl::Field>(V);
+  s.w = std::make_shared<Impl::Field>(V);
+  s.eps = std::make_shared<Impl::Field>(per_triangle);
+  s.shift = std::make_shared<Impl::Field>(per_triangle);
+  s.k_min = std::make_shared<Impl::Field>(per_triangle);
+  s.k_sat = std::make_shared<Impl::Field>(space_of("k_sat", s.mesh));
+  s.curve = std::make_shared<Impl::Field>(space_of("curve", s.mesh));
 
   // dolfinx renumbers cells, vertices and unknowns.
   const std::vector<std::int64_t>& node_of_vertex = s.mesh->geometry().input_global_indices();
@@ -303,7 +349,6 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
       {"p", s.p},         {"w", s.w},         {"eps", s.eps},    {"shift", s.shift},
       {"k_min", s.k_min}, {"k_sat", s.k_sat}, {"curve", s.curve}};
   const std::map<std::string, std::shared_ptr<const fem::Constant<double>>> constants;
-  const std::shared_ptr<const fem::FunctionSpace> V = s.p->function_space();
   const auto fluxes = std::make_shared<const fem::FunctionSpace>(
       fem::create_functionspace(functionspace_form_flow_flux, "t", s.mesh));
   s.residual = std::make_unique<fem::Form<double>>(
@@ -392,20 +437,7 @@ void FlowOperator::correction(std::span<const double> p, std::span<const std::ui
   check(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY), "MatAssemblyBegin");
   check(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
 
-  bool solved = false;
-  if (p.size() > largest_direct_solve)
-  {
-    if (!s.iterative)
-      s.iterative = iterative_solver(A);
-    solved = solve(s.iterative.get(), *s.b, *s.x);
-  }
-  if (!solved)
-  {
-    if (!s.direct)
-      s.direct = direct_solver(A);
-    solved = solve(s.direct.get(), *s.b, *s.x);
-  }
-  if (!solved)
+  if (!s.solve(p.size()))
     throw NotConverged(
         fmt::format("seepage: the linear system of {} unknowns could not be solved", p.size()));
 
