@@ -21,11 +21,9 @@ sph::Particles fill(const meshes::Section& section, const SphSettings& settings)
   if (settings.packing != "mesh")
     return sph::fill(section, settings.spacing, settings.packing);
 #ifdef BERM_WITH_SEEPAGE
-  meshes::ElementSize size;
-  size.coarse = sph::mesh_size(settings.spacing);
   meshes::Section whole = section;
   whole.inner_lines.clear(); // walls and drains of no thickness: soil on either side
-  const meshes::TriangleMesh mesh = meshes::triangulate(whole, size);
+  const meshes::TriangleMesh mesh = meshes::triangulate(whole, sph::mesh_size(settings.spacing));
   return sph::fill_from_seeds(section, sph::mesh_seeds(mesh), settings.spacing, "mesh");
 #else
   throw InputError({{.key = "sph.packing",

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -35,13 +34,9 @@ namespace
 class SizeField
 {
 public:
-  SizeField(const ElementSize& size, const PlanarGraph& graph, std::size_t outline) : size_(size)
+  SizeField(double edge_length, const PlanarGraph& graph, std::size_t outline)
+      : edge_length_(edge_length)
   {
-    for (const Polyline& line : size.near)
-      for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        near_.emplace_back(line[i], line[i + 1]);
-    if (!(size_.fine > 0) || near_.empty())
-      size_.fine = size_.coarse;
     for (std::size_t i = 0; i < outline; ++i)
       edges_.push_back({graph.points[i], graph.points[next(i, outline)], i, next(i, outline)});
     for (const InsideEdge& edge : graph.inside)
@@ -51,7 +46,7 @@ public:
   /// @param[in] factor  The wanted size is this many times as large.
   [[nodiscard]] double at(const Vec2& p, double factor) const
   {
-    const double asked = factor * asked_at(p);
+    const double asked = factor * edge_length_;
     return std::clamp(feature_size(p, asked), 0.1 * asked, asked);
   }
 
@@ -61,21 +56,6 @@ private:
     Vec2 a, b;
     std::size_t from, to;
   };
-
-  [[nodiscard]] double asked_at(const Vec2& p) const
-  {
-    if (size_.fine == size_.coarse)
-      return size_.coarse;
-    double d = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b] : near_)
-      d = std::min(d, distance(p, a, b));
-    if (d <= size_.inner)
-      return size_.fine;
-    if (d >= size_.outer)
-      return size_.coarse;
-    return size_.fine +
-           (size_.coarse - size_.fine) * (d - size_.inner) / (size_.outer - size_.inner);
-  }
 
   /// The local feature size if it is below `limit`, else `limit`.
   [[nodiscard]] double feature_size(const Vec2& p, double limit) const
@@ -95,8 +75,7 @@ private:
     return limit;
   }
 
-  ElementSize size_;
-  std::vector<std::pair<Vec2, Vec2>> near_;
+  double edge_length_; ///< [m]
   std::vector<Edge> edges_;
 };
 
@@ -281,13 +260,13 @@ TriangleMesh mesh_at(double factor, const Section& section, const PlanarGraph& g
 }
 } // namespace
 
-TriangleMesh triangulate(const Section& section, const ElementSize& size)
+TriangleMesh triangulate(const Section& section, double edge_length)
 {
-  if (!(size.coarse > 0) || !std::isfinite(size.coarse))
-    throw InputError({{"seepage.element_size_m", fmt::format("{:.10g}", size.coarse),
+  if (!(edge_length > 0) || !std::isfinite(edge_length))
+    throw InputError({{"seepage.element_size_m", fmt::format("{:.10g}", edge_length),
                        "no edge length", "> 0", ""}});
   const PlanarGraph graph = planar_graph(section);
-  const SizeField field(size, graph, section.outline.size());
+  const SizeField field(edge_length, graph, section.outline.size());
   // gmsh takes 30 to 75 us a node, halving the edges of a coarser mesh a tenth of that.
   constexpr double largest = 12000; // nodes that gmsh is asked for
   TriangleMesh mesh = mesh_at(4, section, graph, field);

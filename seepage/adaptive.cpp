@@ -141,10 +141,10 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
 
   // Step 1: a mesh that shows the section.
   Stopwatch mesh_watch;
-  meshes::ElementSize size;
-  size.coarse = settings.element_size > 0 ? settings.element_size
-                                          : default_element_size(with_levels, boundary, drawn);
-  meshes::TriangleMesh mesh = stretching.unstretched(meshes::triangulate(drawn, size));
+  const double edge_length = settings.element_size > 0
+                                 ? settings.element_size
+                                 : default_element_size(with_levels, boundary, drawn);
+  meshes::TriangleMesh mesh = stretching.unstretched(meshes::triangulate(drawn, edge_length));
   double mesh_seconds = mesh_watch.elapsed().wall;
 
   // Step 2: solve, and cut the triangles that the error comes from, until it is small enough.

@@ -193,10 +193,12 @@ KspPtr iterative_solver(Mat A)
   check(PCHYPRESetType(pc, "boomeramg"), "PCHYPRESetType");
   // One level of aggressive coarsening: the cheapest hierarchy whose steps hardly grow in number
   // with the mesh.
-  for (const auto& [option, value] : {std::pair{"agg_nl", "1"}, {"coarsen_type", "HMIS"},
-                                      {"interp_type", "ext+i"}, {"P_max", "4"}})
-    check(PetscOptionsSetValue(
-              nullptr, fmt::format("-berm_pc_hypre_boomeramg_{}", option).c_str(), value),
+  for (const auto& [option, value] : {std::pair{"agg_nl", "1"},
+                                      {"coarsen_type", "HMIS"},
+                                      {"interp_type", "ext+i"},
+                                      {"P_max", "4"}})
+    check(PetscOptionsSetValue(nullptr, fmt::format("-berm_pc_hypre_boomeramg_{}", option).c_str(),
+                               value),
           "PetscOptionsSetValue");
   check(KSPSetOptionsPrefix(owner.get(), "berm_"), "KSPSetOptionsPrefix");
   check(KSPSetFromOptions(owner.get()), "KSPSetFromOptions");
@@ -238,8 +240,8 @@ std::shared_ptr<dolfinx::mesh::Mesh> make_mesh(const meshes::TriangleMesh& input
 }
 
 /// The space of a coefficient of the forms.
-std::shared_ptr<const fem::FunctionSpace>
-space_of(const char* name, const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
+std::shared_ptr<const fem::FunctionSpace> space_of(const char* name,
+                                                   const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
 {
   return std::make_shared<const fem::FunctionSpace>(
       fem::create_functionspace(functionspace_form_flow_curve_jacobian, name, mesh));

@@ -147,8 +147,7 @@ TEST(Mesher, IsCutOpenAlongInnerLinesAcrossZonesAtEverySize)
   ASSERT_EQ(section.inner_lines.size(), 4U);
   for (const double size : {10.0, 2.0, 0.35}) // the last one halved
   {
-    const TriangleMesh mesh =
-        triangulate(section, {.coarse = size, .fine = 0, .inner = 0, .outer = 0, .near = {}});
+    const TriangleMesh mesh = triangulate(section, size);
     expect_valid(mesh, section);
     expect_pure(mesh, section);
   }
@@ -168,7 +167,7 @@ TEST(Mesher, CoversEachSectionOnceWithItsBoundary)
                                     trapezoidal_dam(), dam_with_core_and_filter()})
   {
     const Section section = build_section(input);
-    const TriangleMesh mesh = triangulate(section, {.coarse = 1.5, .near = {}});
+    const TriangleMesh mesh = triangulate(section, 1.5);
     expect_valid(mesh, section);
     expect_pure(mesh, section);
     EXPECT_GT(worst_quality(mesh), 0.5);
@@ -182,7 +181,7 @@ TEST(Mesher, StaysValidWhereItHalvesTheEdgesOfACoarserMesh)
   const Section section = build_section(input);
   for (const double h : {0.3, 0.15}) // once and twice
   {
-    const TriangleMesh mesh = triangulate(section, {.coarse = h, .near = {}});
+    const TriangleMesh mesh = triangulate(section, h);
     // Equilateral triangles: sqrt(3)/2 h^2 for each node.
     EXPECT_NEAR(static_cast<double>(mesh.nodes.size()), 1100 / (std::sqrt(0.75) * h * h),
                 0.15 * 1100 / (std::sqrt(0.75) * h * h));
@@ -195,8 +194,7 @@ TEST(Mesher, StaysValidWhereItHalvesTheEdgesOfACoarserMesh)
 
 TEST(Mesher, GivesEachSoilItsArea)
 {
-  const auto areas =
-      soil_areas(triangulate(build_section(dam_with_core_and_filter()), {.coarse = 2, .near = {}}));
+  const auto areas = soil_areas(triangulate(build_section(dam_with_core_and_filter()), 2));
   // Core 18 (6 + 14) / 2, less what the filter covers: width 7 at the base, falling by 4/18 a
   // metre.
   const double under_filter = 2 * (7 + (7 - 2 * 4.0 / 18)) / 2;
@@ -209,7 +207,7 @@ TEST(Mesher, GivesEachSoilItsArea)
 TEST(Mesher, PutsANodeAtEveryVisibleZoneCorner)
 {
   const Section section = build_section(dam_with_core_and_filter());
-  const TriangleMesh mesh = triangulate(section, {.coarse = 5, .near = {}});
+  const TriangleMesh mesh = triangulate(section, 5);
   for (const Vec2& p : {Vec2(52, 18), Vec2(58, 18), Vec2(55, 2), Vec2(70, 2), Vec2(70, 15),
                         Vec2(62 - 2 * 4.0 / 18, 2)})
     EXPECT_TRUE(std::any_of(mesh.nodes.begin(), mesh.nodes.end(),
@@ -226,7 +224,7 @@ TEST(Mesher, AcceptsZonesThatShareEdgesNestOrCoverAll)
                  {3, {{9, 1}, {11, 1}, {11, 3}, {9, 3}}},     // an island
                  {1, {{9.5, 1.5}, {10.5, 1.5}, {10.5, 2.5}, {9.5, 2.5}}}}; // and one in it
   const Section section = build_section(input);
-  const TriangleMesh mesh = triangulate(section, {.coarse = 0.7, .near = {}});
+  const TriangleMesh mesh = triangulate(section, 0.7);
   expect_valid(mesh, section);
   expect_pure(mesh, section);
   const auto areas = soil_areas(mesh);
@@ -241,7 +239,7 @@ TEST(Mesher, RefinesAlongAThinZone)
   SectionInput input = two_sided_embankment();
   input.zones = {{1, {{60, 0}, {60.5, 0}, {60.5, 12}, {60, 12}}}}; // a cut-off wall
   const Section section = build_section(input);
-  const TriangleMesh mesh = triangulate(section, {.coarse = 4, .near = {}});
+  const TriangleMesh mesh = triangulate(section, 4);
   expect_valid(mesh, section);
   EXPECT_NEAR(soil_areas(mesh).at(1), 0.5 * 12, 1e-10);
   EXPECT_GT(worst_quality(mesh), 0.5); // 0.09 where the elements are 4 m along the wall
@@ -253,7 +251,7 @@ TEST(Mesher, MeshesAMembraneAFewMillimetresThick)
   SectionInput input = trapezoidal_dam();
   input.zones = {{1, {{55, 0}, {55.005, 0}, {55.005, 18}, {55, 18}}}};
   const Section section = build_section(input);
-  const TriangleMesh mesh = triangulate(section, {.coarse = 2, .near = {}});
+  const TriangleMesh mesh = triangulate(section, 2);
   expect_valid(mesh, section);
   EXPECT_NEAR(soil_areas(mesh).at(1), 0.005 * 18, 1e-10);
 }
@@ -278,7 +276,7 @@ TEST(Mesher, ConformsToRandomOverlappingZones)
       input.zones.push_back(zone);
     }
     const Section section = build_section(input);
-    const TriangleMesh mesh = triangulate(section, {.coarse = 3, .near = {}});
+    const TriangleMesh mesh = triangulate(section, 3);
     expect_valid(mesh, section);
     expect_pure(mesh, section);
   }
@@ -286,50 +284,12 @@ TEST(Mesher, ConformsToRandomOverlappingZones)
 
 //------------------------------------------------------------------------------------------------
 
-TEST(Mesher, GradesTheSizeAwayFromThePolylines)
-{
-  const Section section = build_section(trapezoidal_dam());
-  const ElementSize size = {
-      .coarse = 4, .fine = 0.25, .inner = 1, .outer = 10, .near = {{{40, 12}, {60, 10}, {70, 6}}}};
-  const TriangleMesh mesh = triangulate(section, size);
-  expect_valid(mesh, section);
-  double near_sum = 0, far_sum = 0;
-  int near_count = 0, far_count = 0;
-  for (const auto& t : mesh.triangles)
-  {
-    const Vec2 centre = (node(mesh, t[0]) + node(mesh, t[1]) + node(mesh, t[2])) / 3;
-    double d = 1e9;
-    const Polyline& line = size.near[0];
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      for (int s = 0; s <= 1000; ++s)
-        d = std::min(d, (centre - line[i] - s / 1000.0 * (line[i + 1] - line[i])).norm());
-    const double edge = std::sqrt(area_of(mesh, t) / std::sqrt(3.0 / 16)); // if it were equilateral
-    if (d < 0.8)
-    {
-      near_sum += edge;
-      ++near_count;
-      EXPECT_LT(edge, 1.5 * size.fine);
-    }
-    else if (d > 12)
-    {
-      far_sum += edge;
-      ++far_count;
-    }
-    EXPECT_LT(edge, 1.6 * (0.25 + 3.75 * std::clamp((d - 1) / 9, 0.0, 1.0)) + 0.5);
-  }
-  EXPECT_NEAR(near_sum / near_count, size.fine, 0.15 * size.fine);
-  EXPECT_NEAR(far_sum / far_count, size.coarse, 0.25 * size.coarse); // the toes are sharp
-}
-
-TEST(Mesher, WithoutPolylinesIsAsCoarseEverywhereAsAskedFor)
+TEST(Mesher, IsAsCoarseEverywhereAsAskedFor)
 {
   const Section section = build_section(rectangle_input(20, 20));
-  for (const double fine : {0.0, 0.1}) // nothing to be fine about
-  {
-    const TriangleMesh mesh = triangulate(section, {.coarse = 1, .fine = fine, .near = {}});
-    EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 400 / std::sqrt(3.0 / 16), 60);
-    EXPECT_EQ(mesh.boundary.size(), 80U);
-  }
+  const TriangleMesh mesh = triangulate(section, 1);
+  EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 400 / std::sqrt(3.0 / 16), 60);
+  EXPECT_EQ(mesh.boundary.size(), 80U);
 }
 
 TEST(Mesher, GivesTheSameBitsTwice)
@@ -337,9 +297,7 @@ TEST(Mesher, GivesTheSameBitsTwice)
   const Section section = build_section(dam_with_core_and_filter());
   for (const double h : {2.0, 0.2})
   {
-    const ElementSize size = {
-        .coarse = h, .fine = h / 2, .inner = 1, .outer = 5, .near = {{{30, 5}, {60, 8}}}};
-    const TriangleMesh one = triangulate(section, size), two = triangulate(section, size);
+    const TriangleMesh one = triangulate(section, h), two = triangulate(section, h);
     EXPECT_EQ(one.nodes, two.nodes);
     EXPECT_EQ(one.triangles, two.triangles);
     EXPECT_EQ(one.triangle_soil, two.triangle_soil);
@@ -356,9 +314,8 @@ TEST(Mesher, ScalesWithTheSection)
     for (Vec2& p : *line)
       p *= 1e-3; // a model of 10 cm
   const Section section = build_section(input);
-  const TriangleMesh mesh = triangulate(section, {.coarse = 2e-3, .near = {}});
-  const TriangleMesh full =
-      triangulate(build_section(dam_with_core_and_filter()), {.coarse = 2, .near = {}});
+  const TriangleMesh mesh = triangulate(section, 2e-3);
+  const TriangleMesh full = triangulate(build_section(dam_with_core_and_filter()), 2);
   EXPECT_NEAR(soil_areas(mesh).at(3), 225e-6, 1e-15);
   EXPECT_NEAR(static_cast<double>(mesh.nodes.size()), static_cast<double>(full.nodes.size()), 20);
 }
@@ -368,7 +325,7 @@ TEST(Mesher, PrintsNothing)
   const Section section = build_section(dam_with_core_and_filter());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  (void)triangulate(section, {.coarse = 3, .near = {}});
+  (void)triangulate(section, 3);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
@@ -379,7 +336,7 @@ TEST(Mesher, LeavesTheNumberOfThreadsAsItWas)
   for (const int threads : {1, 3})
   {
     omp_set_num_threads(threads);
-    (void)triangulate(section, {.coarse = 3, .near = {}});
+    (void)triangulate(section, 3);
     EXPECT_EQ(omp_get_max_threads(), threads);
   }
 }
@@ -388,7 +345,7 @@ TEST(Mesher, RejectsAnEdgeLengthThatIsNone)
 {
   const Section section = build_section(trapezoidal_dam());
   for (const double h : {0.0, -1.0, std::nan("")})
-    EXPECT_THROW((void)triangulate(section, {.coarse = h, .near = {}}), InputError);
+    EXPECT_THROW((void)triangulate(section, h), InputError);
 }
 
 TEST(RectangleMesh, IsAMeshOfItsSection)
