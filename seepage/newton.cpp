@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "seepage/newton.h"
 
-#include "core/error.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +21,7 @@ constexpr double stage_tolerance = 1e-3; ///< the same at an intermediate level
 constexpr double rounded_tolerance = 1e-6, rounded_move = 1e-9;
 // Nor can a residual get far below the rounding of the sums in F: that is as good as it gets, if
 // the discharge is still known to this.
-constexpr double largest_rounding = 1e-4; ///< of F over q [-]
+constexpr double largest_rounding = 1e-3; ///< of F over q [-]
 constexpr double lost_outflow = 1e-12;    ///< over q: less through a node is rounding [-]
 
 // Backtracking, to 2^-6 of a step, only stops one that makes the residual ten times larger: with
@@ -156,6 +154,11 @@ public:
             .history = history_};
   }
 
+  [[nodiscard]] std::string failure() const
+  {
+    return "seepage: no convergence" + cause() + " in " + history();
+  }
+
   /// What the last iterate shows of why there is none; empty if it shows nothing.
   [[nodiscard]] std::string cause() const
   {
@@ -218,12 +221,14 @@ private:
       moved += patient_ && changes > 0 ? 1 : 0;
       const bool only_rounding_moves =
           residual < rounded_tolerance && largest_move_ < rounded_move * height_;
-      const bool rounding_is_left = stalled >= strict_after && now.imbalance < now.rounding &&
-                                    now.rounding < largest_rounding * now.flow();
+      const bool rounding_is_left = stalled >= strict_after && now.imbalance < now.rounding;
       const bool small = now.imbalance < tolerance * now.flow() || nothing_flows ||
-                         only_rounding_moves || rounding_is_left;
+                         only_rounding_moves ||
+                         (rounding_is_left && now.rounding <= largest_rounding * now.flow());
       if (small && changes == 0)
         return true;
+      if (rounding_is_left && changes == 0 && now.rounding > largest_rounding * now.flow())
+        throw RoundingHidesFlow(failure());
       if (!(residual < divergence * std::max(first, 1.0)) ||
           (step >= steps_to_halve + moved && residual > 0.5 * std::max(first, nearly_there)))
         return false;
@@ -406,8 +411,7 @@ Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
     level = next;
   }
   if (!good)
-    throw NotConverged("seepage: no convergence" + iteration.cause() + " in " +
-                       iteration.history());
+    throw NotConverged(iteration.failure());
   if (at_once)
     observer.progress(1, "converged at the final smoothing");
   return iteration.finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/error.h"
 #include "core/observer.h"
 #include "seepage/boundary.h"
 #include "seepage/flow_operator.h"
@@ -39,11 +40,18 @@ struct Field
   SolveHistory history;
 };
 
+/// No start and no level of smoothing gets any further.
+class RoundingHidesFlow : public NotConverged
+{
+public:
+  using NotConverged::NotConverged;
+};
+
 /// @brief Solve docs/theory.md eq. (2.6) with the complementarity (2.4) on the seepage face.
 /// @param[in]     laws     k_r of the answer in each triangle, shape (m).
 /// @param[in,out] history  Newton steps and changes of the set are added, the rest is replaced.
 /// @throws NotConverged with the history, also if the observer asks to stop; names the cause if the
-///         last iterate shows one.
+///         last iterate shows one; RoundingHidesFlow if that is it.
 [[nodiscard]] Field solve_field(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                                 const NodeConditions& conditions,
                                 std::span<const RelativeConductivity> laws, const Scales& scales,

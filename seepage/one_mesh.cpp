@@ -241,6 +241,10 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   {
     result.field = solve_here();
   }
+  catch (const RoundingHidesFlow&)
+  {
+    throw;
+  }
   catch (const NotConverged&)
   {
     if (observer.stop_requested() || result.smoothing_share == larger_smoothing_share)

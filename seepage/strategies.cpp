@@ -95,6 +95,10 @@ Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
       field.history.strategy = strategies[k].name;
       return field;
     }
+    catch (const RoundingHidesFlow&)
+    {
+      throw;
+    }
     catch (const NotConverged& failure)
     {
       if (observer.stop_requested() || k + 1 == strategies.size())
