@@ -235,7 +235,8 @@ MeshSolution solve_one_mesh(meshes::TriangleMesh mesh, const Problem& problem,
   const auto solve_here = [&]
   {
     return solve_by_strategies(flow, mesh, conditions, laws,
-                               {.height = height, .conductivity = k_mean}, coarser, observer);
+                               {.height = height, .conductivity = k_mean}, coarser,
+                               result.smoothing_share == larger_smoothing_share, observer);
   };
   try
   {

@@ -73,7 +73,8 @@ double rescaled_pressure(double p, double eps_before, double eps, double k_min)
 Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                           const NodeConditions& conditions,
                           std::span<const RelativeConductivity> laws, const Scales& scales,
-                          const std::optional<CoarserField>& coarser, Observer& observer)
+                          const std::optional<CoarserField>& coarser, bool last_resort,
+                          Observer& observer)
 {
   std::vector<Strategy> strategies;
   if (coarser)
@@ -83,8 +84,9 @@ Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
     strategies.push_back({"coarser mesh in steps", [&]
                           { return Start{.p = coarser->p, .smoothing = coarser->largest_eps}; }});
   }
-  strategies.push_back(
-      {"full section", [&] { return full_of_water(mesh, conditions, scales.height); }});
+  if (!coarser || last_resort)
+    strategies.push_back(
+        {"full section", [&] { return full_of_water(mesh, conditions, scales.height); }});
 
   SolveHistory history;
   for (std::size_t k = 0;; ++k)

@@ -27,15 +27,17 @@ struct CoarserField
 /// "coarser mesh": from its solution, at the final smoothing at once;
 /// "coarser mesh rescaled": likewise, rescaled for soil through which water trickles;
 /// "coarser mesh in steps": from its solution, smoothed as there, then less from level to level;
-/// "full section": from h = H everywhere, likewise.
+/// "full section": from h = H everywhere, likewise; on the first mesh and as a last resort, since
+/// behind tight cores it may take hundreds of steps.
 /// The observer is told of each that fails. The history counts the steps of all, and names the one
 /// that answered.
-/// @param[in] coarser  Nothing on the first mesh.
+/// @param[in] coarser      Nothing on the first mesh.
+/// @param[in] last_resort  Whether no larger smoothing is left to try.
 /// @throws NotConverged with the history of the last if none does, or if the observer asks to stop.
 [[nodiscard]] Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
                                         const NodeConditions& conditions,
                                         std::span<const RelativeConductivity> laws,
                                         const Scales& scales,
                                         const std::optional<CoarserField>& coarser,
-                                        Observer& observer);
+                                        bool last_resort, Observer& observer);
 } // namespace berm::seepage

@@ -75,10 +75,11 @@ struct Dam
     return meshes::build_section(input);
   }
 
-  Field solve(const std::optional<CoarserField>& coarser, Observer& observer)
+  Field solve(const std::optional<CoarserField>& coarser, Observer& observer,
+              bool last_resort = true)
   {
     return solve_by_strategies(flow, mesh, conditions, laws, {.height = 3, .conductivity = k},
-                               coarser, observer);
+                               coarser, last_resort, observer);
   }
 };
 
@@ -126,6 +127,17 @@ TEST(Strategies, AUselessStartLeadsToTheSameAnswerAndIsTold)
   EXPECT_NE(observer.notes[0].find("residual"), std::string::npos) << observer.notes[0];
   EXPECT_GT(f.history.newton_steps, right.history.newton_steps); // those that failed count
   EXPECT_NEAR(f.inflow, right.inflow, 1e-7 * right.inflow);
+}
+
+TEST(Strategies, WithALargerSmoothingLeftTheFullSectionIsNotTried)
+{
+  Dam d;
+  Notes observer;
+  const std::vector<double> useless(d.mesh.nodes.size(), NAN);
+  EXPECT_THROW((void)d.solve(field(useless), observer, false), NotConverged);
+  for (const std::string& note : observer.notes)
+    EXPECT_EQ(note.find("full section"), std::string::npos) << note;
+  EXPECT_EQ(d.solve(field(useless), observer).history.strategy, "full section");
 }
 
 TEST(Strategies, StopWhenAsked)
