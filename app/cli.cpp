@@ -3,6 +3,7 @@
 
 #include "app/case_file.h"
 #include "app/case_schema.h"
+#include "app/comparison_files.h"
 #include "app/console.h"
 #include "app/figures.h"
 #include "app/frame_files.h"
@@ -36,6 +37,15 @@ struct RunOptions
   int threads = 0;     ///< 0: what the case says
 };
 
+/// As the user says, or as the case does, or shared among the processes.
+void set_threads(const RunOptions& options, const coupling::Case& input, const Team& team)
+{
+  if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
+    omp_set_num_threads(threads);
+  else if (team.size() > 1)
+    omp_set_num_threads(std::max(1, omp_get_max_threads() / team.size()));
+}
+
 int run_case(const RunOptions& options, KeyPlaces& places)
 {
   coupling::Case input = read_case(options.case_path, options.read, places);
@@ -48,10 +58,7 @@ int run_case(const RunOptions& options, KeyPlaces& places)
                                                               : std::filesystem::path(options.out);
   if (speaks)
     prepare_directory(directory);
-  if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
-    omp_set_num_threads(threads);
-  else if (team.size() > 1)
-    omp_set_num_threads(std::max(1, omp_get_max_threads() / team.size()));
+  set_threads(options, input, team);
 
   places.run_began = true;
   catch_stop_signals();
@@ -72,6 +79,50 @@ int run_case(const RunOptions& options, KeyPlaces& places)
     std::cout << report(input, analysis, console.warnings()) << "\nResults in "
               << directory.string() << "\n";
   return complete(input, analysis) ? exit_ok : exit_no_answer;
+}
+
+/// Each water's run in a folder of its own, and the comparison beside them.
+int compare_case(RunOptions options, KeyPlaces& places)
+{
+  options.read.overrides.emplace_back("water.pore_pressure=\"seepage\"");
+  const coupling::Case input = read_case(options.case_path, options.read, places);
+  Team& team = process_team();
+  const bool speaks = team.rank() == 0;
+  const std::filesystem::path directory = options.out.empty()
+                                              ? default_directory(options.case_path) += "_compared"
+                                              : std::filesystem::path(options.out);
+  if (speaks)
+    prepare_directory(directory);
+  set_threads(options, input, team);
+
+  places.run_began = true;
+  catch_stop_signals();
+  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
+  const auto draw = [&](const std::string& problem)
+  {
+    if (!problem.empty())
+      console.warn("no figures: " + problem);
+  };
+  const auto done = [&](const coupling::ComparedWater& water)
+  {
+    if (!speaks)
+      return;
+    write_run(directory / water.name, water.input, water.analysis);
+    if (input.output.figures && !water.analysis.interrupted)
+      draw(draw_figures(directory / water.name));
+  };
+  const coupling::Comparison comparison = coupling::compare(input, console, team, done);
+  const bool all = std::ranges::all_of(comparison.waters, [](const coupling::ComparedWater& water)
+                                       { return complete(water.input, water.analysis); });
+  const int code = all && !console.stop_requested() ? exit_ok : exit_no_answer;
+  if (!speaks)
+    return code;
+  write_comparison(directory, comparison);
+  if (input.output.figures)
+    draw(draw_comparison(directory));
+  if (!options.quiet)
+    std::cout << comparison_report(comparison) << "\nResults in " << directory.string() << "\n";
+  return code;
 }
 
 int check_case(const RunOptions& options, KeyPlaces& places)
@@ -125,6 +176,9 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
                 "Go on with a run-out that was stopped, from its last frame in the directory");
   CLI::App* seepage = app.add_subcommand("seepage", "Run the seepage stage of a case alone");
   add_run_options(*seepage, options);
+  CLI::App* compare = app.add_subcommand(
+      "compare", "The same soil without water, with hydrostatic pressure, and with seepage");
+  add_run_options(*compare, options);
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
   add_case_options(*check, options);
   CLI::App* reference =
@@ -145,6 +199,8 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   options.read.seepage_only = seepage->parsed();
   if (run->parsed() || seepage->parsed())
     code = run_case(options, places);
+  else if (compare->parsed())
+    code = compare_case(options, places);
   else if (check->parsed())
     code = check_case(options, places);
   else if (reference->parsed())

@@ -12,9 +12,12 @@
 
 namespace berm::app
 {
-std::string draw_figures(const std::filesystem::path& directory)
+namespace
 {
-  std::string python = BERM_PYTHON, script = BERM_FIGURES, argument = directory.string();
+/// Runs the script with the directory. Empty, or why there are no figures.
+std::string draw(std::string script, const std::filesystem::path& directory)
+{
+  std::string python = BERM_PYTHON, argument = directory.string();
   if (python.empty())
     return "berm was built without a Python that has matplotlib and h5py";
   if (!std::filesystem::exists(script))
@@ -37,5 +40,16 @@ std::string draw_figures(const std::filesystem::path& directory)
       return python + " was lost";
   const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   return good ? "" : python + " " + script + " " + argument + " failed";
+}
+} // namespace
+
+std::string draw_figures(const std::filesystem::path& directory)
+{
+  return draw(BERM_FIGURES, directory);
+}
+
+std::string draw_comparison(const std::filesystem::path& directory)
+{
+  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("comparison.py"), directory);
 }
 } // namespace berm::app

@@ -10,4 +10,7 @@ namespace berm::app
 /// those of a run-out beside the results (docs/plots/figures.py).
 /// @return Empty if it went well; else one clause on why there are no figures.
 [[nodiscard]] std::string draw_figures(const std::filesystem::path& directory);
+
+/// @brief Draw comparison.png beside comparison.json (docs/plots/comparison.py). Returns likewise.
+[[nodiscard]] std::string draw_comparison(const std::filesystem::path& directory);
 } // namespace berm::app

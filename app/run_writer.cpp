@@ -90,6 +90,15 @@ void prepare_directory(const fs::path& directory)
   fs::remove(probe, error);
 }
 
+void write_aside(const fs::path& path, const std::string& text)
+{
+  write_text(aside(path), text);
+  std::error_code error;
+  fs::rename(aside(path), path, error);
+  if (error)
+    throw IoError(path.string() + ": " + error.message());
+}
+
 void write_run(const fs::path& directory, const coupling::Case& input,
                const coupling::Analysis& analysis)
 {

@@ -16,6 +16,10 @@ namespace berm::app
 /// @throws IoError if not.
 void prepare_directory(const std::filesystem::path& directory);
 
+/// @brief Write a text file aside, then rename it.
+/// @throws IoError if it cannot be written.
+void write_aside(const std::filesystem::path& path, const std::string& text);
+
 /// @brief Write case.toml, results.h5, its XDMF companions, the readings as CSV and, last,
 /// result.json.
 /// Each is written aside and then renamed; files of an earlier run that this run has no match for
