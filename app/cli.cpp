@@ -179,6 +179,8 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   CLI::App* compare = app.add_subcommand(
       "compare", "The same soil without water, with hydrostatic pressure, and with seepage");
   add_run_options(*compare, options);
+  compare->get_option("--out")->description(
+      "Directory for the results [results/<case's folder>_<case's name>_compared]");
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
   add_case_options(*check, options);
   CLI::App* reference =
