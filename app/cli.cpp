@@ -37,13 +37,24 @@ struct RunOptions
   int threads = 0;     ///< 0: what the case says
 };
 
-/// As the user says, or as the case does, or shared among the processes.
-void set_threads(const RunOptions& options, const coupling::Case& input, const Team& team)
+/// Before anything is computed: threads as the user says, or as the case does, or shared among the
+/// processes; signals caught; a place for the results, which is returned.
+std::filesystem::path begin_run(const RunOptions& options, const coupling::Case& input,
+                                const std::string& suffix, KeyPlaces& places)
 {
+  Team& team = process_team();
+  const std::filesystem::path directory = options.out.empty()
+                                              ? default_directory(options.case_path) += suffix
+                                              : std::filesystem::path(options.out);
+  if (team.rank() == 0)
+    prepare_directory(directory);
   if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
     omp_set_num_threads(threads);
   else if (team.size() > 1)
     omp_set_num_threads(std::max(1, omp_get_max_threads() / team.size()));
+  places.run_began = true;
+  catch_stop_signals();
+  return directory;
 }
 
 int run_case(const RunOptions& options, KeyPlaces& places)
@@ -54,14 +65,7 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   // it, so that no result depends on their number.
   input.seepage.distributed = options.read.seepage_only && team.size() > 1;
   const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
-  const std::filesystem::path directory = options.out.empty() ? default_directory(options.case_path)
-                                                              : std::filesystem::path(options.out);
-  if (speaks)
-    prepare_directory(directory);
-  set_threads(options, input, team);
-
-  places.run_began = true;
-  catch_stop_signals();
+  const std::filesystem::path directory = begin_run(options, input, "", places);
   FrameFiles frames(directory, options.resume);
   Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
   const coupling::Analysis analysis = coupling::analyse(input, console, frames, team);
@@ -88,15 +92,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
   const coupling::Case input = read_case(options.case_path, options.read, places);
   Team& team = process_team();
   const bool speaks = team.rank() == 0;
-  const std::filesystem::path directory = options.out.empty()
-                                              ? default_directory(options.case_path) += "_compared"
-                                              : std::filesystem::path(options.out);
-  if (speaks)
-    prepare_directory(directory);
-  set_threads(options, input, team);
-
-  places.run_began = true;
-  catch_stop_signals();
+  const std::filesystem::path directory = begin_run(options, input, "_compared", places);
   Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
   const auto draw = [&](const std::string& problem)
   {

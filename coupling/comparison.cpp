@@ -47,19 +47,6 @@ std::vector<double> pressure_at(const ComparedWater& water, const seepage::Solut
   return no_pore_pressure()(x, y);
 }
 
-double level_at(const Polyline& line, double x)
-{
-  if (x <= line.front().x())
-    return line.front().y();
-  for (std::size_t k = 1; k < line.size(); ++k)
-    if (x <= line[k].x())
-    {
-      const Vec2 &a = line[k - 1], &b = line[k];
-      return a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
-    }
-  return line.back().y();
-}
-
 std::optional<LineDifference> line_difference(const meshes::Section& section,
                                               const seepage::Solution& solution,
                                               const Polyline& assumed)
@@ -151,11 +138,7 @@ Polyline phreatic_surface(const meshes::Section& section, const seepage::Solutio
     const auto at = locator.locate(ground, 1e-3 * height);
     if (at.triangle < 0)
       return std::nullopt;
-    double head = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-      head +=
-          at.weight[a] * solution.head[static_cast<std::size_t>(
-                             solution.mesh.triangles[static_cast<std::size_t>(at.triangle)][a])];
+    const double head = meshes::interpolated(solution.mesh, solution.head, at);
     if (head < ground.y() - 1e-6 * height)
       return std::nullopt;
     return head;

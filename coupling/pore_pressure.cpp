@@ -11,9 +11,6 @@
 
 namespace berm::coupling
 {
-namespace
-{
-/// Level of a line at x, constant beyond its ends.
 double level_at(const Polyline& line, double x)
 {
   const auto right =
@@ -27,6 +24,8 @@ double level_at(const Polyline& line, double x)
   return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
 }
 
+namespace
+{
 /// Where a pool's surface meets the ground, seen from its end; where it runs over if it does so;
 /// the far end of the ground if it never meets it.
 Vec2 waterline(const Polyline& ground_from_pool, double level,
@@ -97,11 +96,7 @@ PorePressure seepage_pore_pressure(const seepage::Solution& solution, double max
                                                   max_shift),
                            .allowed = {},
                            .hint = "the mesh and the section disagree"}});
-      const auto& nodes = field->mesh.triangles[static_cast<std::size_t>(at.triangle)];
-      double p = 0;
-      for (std::size_t a = 0; a < 3; ++a)
-        p += at.weight[a] * field->pressure[static_cast<std::size_t>(nodes[a])];
-      p_w.push_back(std::max(p, 0.0));
+      p_w.push_back(std::max(meshes::interpolated(field->mesh, field->pressure, at), 0.0));
     }
     return p_w;
   };

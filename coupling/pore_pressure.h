@@ -20,6 +20,10 @@ using PorePressure =
 /// @brief Dry soil: zero everywhere.
 [[nodiscard]] PorePressure no_pore_pressure();
 
+/// @brief Level of a line at x, constant beyond its ends [m].
+/// @param[in] line  x strictly increasing [m]; not empty.
+[[nodiscard]] double level_at(const Polyline& line, double x);
+
 /// @brief gamma_w times the vertical depth below a line, whose level goes on beyond its ends.
 /// Bui et al. 2009 section 4 and Griffiths & Lane 1999 Ex. 6 take the pore pressure so.
 /// @param[in] free_surface  x strictly increasing [m]; not empty.

@@ -124,4 +124,14 @@ TriangleLocator::Location TriangleLocator::locate(const Vec2& point, double max_
       }
   return best;
 }
+
+double interpolated(const TriangleMesh& mesh, std::span<const double> nodal,
+                    const TriangleLocator::Location& at)
+{
+  const auto& nodes = mesh.triangles[static_cast<std::size_t>(at.triangle)];
+  double value = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+    value += at.weight[a] * nodal[static_cast<std::size_t>(nodes[a])];
+  return value;
+}
 } // namespace berm::meshes

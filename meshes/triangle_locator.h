@@ -42,4 +42,10 @@ private:
   std::vector<Index> start_,
       triangle_; ///< triangles whose bounding box touches a bin, in compressed rows
 };
+
+/// @brief The linear field with these values at the nodes, at a place.
+/// @param[in] nodal  Shape (n).
+/// Pre: at.triangle >= 0.
+[[nodiscard]] double interpolated(const TriangleMesh& mesh, std::span<const double> nodal,
+                                  const TriangleLocator::Location& at);
 } // namespace berm::meshes

@@ -222,12 +222,12 @@ private:
       const bool only_rounding_moves =
           residual < rounded_tolerance && largest_move_ < rounded_move * height_;
       const bool rounding_is_left = stalled >= strict_after && now.imbalance < now.rounding;
+      const bool hides_flow = now.rounding > largest_rounding * now.flow();
       const bool small = now.imbalance < tolerance * now.flow() || nothing_flows ||
-                         only_rounding_moves ||
-                         (rounding_is_left && now.rounding <= largest_rounding * now.flow());
+                         only_rounding_moves || (rounding_is_left && !hides_flow);
       if (small && changes == 0)
         return true;
-      if (rounding_is_left && changes == 0 && now.rounding > largest_rounding * now.flow())
+      if (rounding_is_left && hides_flow && changes == 0)
         throw RoundingHidesFlow(failure());
       if (!(residual < divergence * std::max(first, 1.0)) ||
           (step >= steps_to_halve + moved && residual > 0.5 * std::max(first, nearly_there)))

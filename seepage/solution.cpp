@@ -13,11 +13,7 @@ std::optional<double> value_at(const Solution& solution, const std::vector<doubl
   const auto at = meshes::TriangleLocator(solution.mesh).locate(point, max_shift);
   if (at.triangle < 0)
     return std::nullopt;
-  double value = 0;
-  for (std::size_t a = 0; a < 3; ++a)
-    value += at.weight[a] * nodal[static_cast<std::size_t>(
-                                solution.mesh.triangles[static_cast<std::size_t>(at.triangle)][a])];
-  return value;
+  return meshes::interpolated(solution.mesh, nodal, at);
 }
 
 std::optional<double> phreatic_level(const Solution& solution, double x)
