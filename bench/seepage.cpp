@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Seepage, error against unknowns against seconds: the rectangular dam, the embankment, a
 /// trapezoidal and a zoned dam, on meshes of one size and on meshes that the tolerance chooses;
-/// then size alone.
+/// then size alone; then one hard section with its history.
 ///   bench_seepage > table.csv              error and cost, rates on stderr
 ///   [mpirun -n N] bench_seepage UNKNOWNS   one embankment of about so many, over all ranks
+///   bench_seepage hard NAME                one of docs/hard_cases.md, notes on stderr
 #include "seepage/seepage.h"
 #include "meshes/section.h"
+#include "tests/support/hard_seepage.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <mpi.h>
@@ -101,18 +103,39 @@ void speed_against_error()
   }
 }
 
+struct Notes : Observer
+{
+  bool speaks = false;
+  void note(std::string_view text) override
+  {
+    if (speaks)
+      fmt::print(stderr, "{}\n", text);
+  }
+  void warn(std::string_view text) override { note(fmt::format("warning: {}", text)); }
+};
+
+/// One section of docs/hard_cases.md.
+void hard(const std::string& name)
+{
+  for (const tests::HardSeepage& c : tests::hard_seepage())
+    if (c.name == name)
+    {
+      const meshes::Section section = meshes::build_section(c.section);
+      Notes notes;
+      notes.speaks = true;
+      const seepage::Solution s = seepage::solve(
+          section, c.conductivity, seepage::boundary_conditions(section, c.marked), {}, notes);
+      fmt::print("{}: q = {:.6g}, known {:.6g}, {:.1f} CPU s\n", name, s.discharge,
+                 c.discharge ? c.discharge->value : NAN, s.seconds.cpu);
+      return;
+    }
+  fmt::print(stderr, "no section of that name\n");
+}
+
 void one_of(double unknowns, bool distributed, bool speaks)
 {
   const meshes::Section section = meshes::build_section(slope(embankment, 0, 24.4));
-  struct Notes : Observer
-  {
-    bool speaks = false;
-    void note(std::string_view text) override
-    {
-      if (speaks)
-        fmt::print(stderr, "{}\n", text);
-    }
-  } notes;
+  Notes notes;
   notes.speaks = speaks;
   seepage::Settings settings{.tolerance = 1e-9, .most_unknowns = static_cast<Index>(unknowns)};
   settings.distributed = distributed;
@@ -129,6 +152,11 @@ int main(int argc, char** argv)
   if (argc < 2)
   {
     speed_against_error();
+    return 0;
+  }
+  if (argc > 2 && std::string(argv[1]) == "hard")
+  {
+    hard(argv[2]);
     return 0;
   }
   int given = 0, size = 1, rank = 0;

@@ -81,7 +81,8 @@ public:
             SolveHistory& history, Observer& observer)
       : flow_(flow), mesh_(mesh), conditions_(conditions), laws_(laws),
         conductivity_(scales.conductivity), height_(scales.height), p_(std::move(start.p)),
-        active_(p_.size(), 0), fixed_(p_.size(), 0), history_(history), observer_(observer)
+        active_(p_.size(), 0), fixed_(p_.size(), 0), most_steps_(start.most_steps),
+        history_(history), observer_(observer)
   {
     const double p_zero = -1e-9 * start.smoothing; // rounding of an interpolated zero
     for (std::size_t i = 0; i < p_.size(); ++i)
@@ -232,7 +233,7 @@ private:
       if (!(residual < divergence * std::max(first, 1.0)) ||
           (step >= steps_to_halve + moved && residual > 0.5 * std::max(first, nearly_there)))
         return false;
-      if (stalled >= longest_stall)
+      if (stalled >= longest_stall || history_.newton_steps >= most_steps_)
         return false;
       newton_step(residual < strict_below || stalled >= strict_after ? 1 : growth_allowed);
       ++history_.newton_steps;
@@ -378,6 +379,7 @@ private:
   std::vector<RelativeConductivity>
       node_law_; ///< the same, of the largest eps and k_min around a node
   std::vector<std::uint8_t> active_, fixed_;
+  int most_steps_ = 0;
   SolveHistory& history_;
   std::string log_;
   Observer& observer_;

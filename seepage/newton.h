@@ -8,6 +8,7 @@
 #include "seepage/solution.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Start
 {
   std::vector<double> p; ///< pressure head [m], shape (n)
   double smoothing = 0;  ///< first eps [m]; 0: the final eps and k_min at once
+  int most_steps = std::numeric_limits<int>::max(); ///< in the history; more count as a failure
 };
 
 /// Against which rounding is judged.

@@ -18,6 +18,12 @@ namespace
 {
 constexpr double first_smoothing = 0.25; ///< eps at the start over the height of the water [-]
 
+// What a finer mesh may cost in all before the answer is left to the coarser one: Newton steps
+// times unknowns, about a minute's, but some steps in any case. A sound solve takes 4 to 30 steps;
+// behind tight cores one of 10 000 unknowns may take 600, one of 100 000 would take half an hour.
+constexpr double work_of_finer_mesh = 6e6;
+constexpr int least_steps_of_finer_mesh = 60;
+
 struct Strategy
 {
   std::string name;
@@ -50,6 +56,12 @@ Start rescaled(const meshes::TriangleMesh& mesh, std::span<const RelativeConduct
   for (std::size_t i = 0; i < start.p.size(); ++i)
     start.p[i] = rescaled_pressure(coarser.p[i], coarser.eps[i], eps[i], k_min[i]);
   return start;
+}
+
+int most_steps(std::size_t unknowns)
+{
+  return std::max(least_steps_of_finer_mesh,
+                  static_cast<int>(work_of_finer_mesh / static_cast<double>(unknowns)));
 }
 
 std::string_view last_line(std::string_view text)
@@ -92,8 +104,11 @@ Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
   for (std::size_t k = 0;; ++k)
     try
     {
-      Field field = solve_field(flow, mesh, conditions, laws, scales, strategies[k].start(),
-                                history, observer);
+      Start start = strategies[k].start();
+      if (coarser)
+        start.most_steps = most_steps(mesh.nodes.size());
+      Field field =
+          solve_field(flow, mesh, conditions, laws, scales, std::move(start), history, observer);
       field.history.strategy = strategies[k].name;
       return field;
     }
@@ -103,7 +118,8 @@ Field solve_by_strategies(FlowOperator& flow, const meshes::TriangleMesh& mesh,
     }
     catch (const NotConverged& failure)
     {
-      if (observer.stop_requested() || k + 1 == strategies.size())
+      const bool spent = coarser && history.newton_steps >= most_steps(mesh.nodes.size());
+      if (observer.stop_requested() || spent || k + 1 == strategies.size())
         throw;
       observer.note(fmt::format("no convergence from the {} ({}); now from the {}",
                                 strategies[k].name, last_line(failure.what()),
