@@ -18,15 +18,13 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PatchCollection
-from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 import readings
 import run_out
 from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
-                     figure_for)
+                     draw_tiles, figure_for)
 
 
 def draw_water_line(ax, result):
@@ -181,17 +179,10 @@ def slip_figure(result, fields):
     volume = fields["particles/volume"][()]
     strain = fields[f"particles/{name}/plastic_strain"][()]
     factor = fields[f"particles/{name}"].attrs["factor"]
-    width = stability["spacing_m"]
-    boxes = [Rectangle((x - width / 2, y - v / width / 2), width, v / width)
-             for (x, y), v in zip(position, volume)]
-    tiles = PatchCollection(boxes, cmap="cividis", linewidths=0.4, edgecolors="face", zorder=2)
-    tiles.set_array(strain)
+    tiles = draw_tiles(ax, result, position, volume, strain, "cividis")
     top = np.quantile(strain, 0.995)
     tiles.set_clim(0, top if top > 0 else 1)
-    outline = Polygon(np.array(result["section"]["outline_m"]), transform=ax.transData)
-    ax.add_collection(tiles)
     draw_section(ax, result)
-    tiles.set_clip_path(outline)
     draw_water_line(ax, result)
     draw_regions(ax, stability)
     draw_slip_lines(ax, stability)

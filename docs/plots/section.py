@@ -2,6 +2,8 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.patches import Polygon
 
 # Okabe and Ito's colours: told apart by colour-blind readers too.
 BLUE, SKY, ORANGE, GREEN, GREY = "#0072B2", "#56B4E9", "#D55E00", "#009E73", "#666666"
@@ -64,6 +66,19 @@ def figure_for(result):
     section = result["section"]
     ratio = (section["y_max_m"] - section["y_min_m"]) / (section["x_max_m"] - section["x_min_m"])
     return plt.subplots(figsize=(11, min(max(11 * ratio + 1.9, 3), 11)), layout="constrained")
+
+
+def draw_tiles(ax, result, position, volume, values, cmap):
+    """Each particle as a rectangle of its own volume, cut off at the outline."""
+    width = result["stability"]["spacing_m"]
+    half = np.column_stack([np.full(len(volume), width / 2), volume / width / 2])
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    tiles = PolyCollection(position[:, None, :] + corners * half[:, None, :], cmap=cmap,
+                           linewidths=0.4, edgecolors="face", zorder=2)
+    tiles.set_array(values)
+    ax.add_collection(tiles)
+    tiles.set_clip_path(Polygon(np.array(result["section"]["outline_m"]), transform=ax.transData))
+    return tiles
 
 
 def colour_bar(fig, ax, mappable, label):
