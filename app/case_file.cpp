@@ -3,6 +3,7 @@
 
 #include "app/case_check.h"
 #include "app/case_lines.h"
+#include "app/case_mesh_file.h"
 #include "app/toml_document.h"
 #include "app/version.h"
 #include "meshes/drawing.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 namespace berm::app
 {
@@ -49,8 +51,10 @@ std::string read_text(const std::string& path)
 class Assembler
 {
 public:
-  Assembler(const CheckedValues& values, bool seepage_only, std::vector<Mistake>& mistakes)
-      : values_(values), seepage_only_(seepage_only), mistakes_(mistakes)
+  Assembler(const CheckedValues& values, const std::filesystem::path& path, bool seepage_only,
+            std::vector<Mistake>& mistakes)
+      : values_(values), folder_(path.parent_path()), seepage_only_(seepage_only),
+        mistakes_(mistakes)
   {
   }
 
@@ -196,25 +200,38 @@ private:
   void assemble_section()
   {
     auto& section = case_.section;
-    const bool outline = given("section.outline_m");
-    const bool ground = given("section.ground_m"), base = given("section.base_m");
-    if (outline && (ground || base))
-      add({.key = "section.outline_m",
-           .problem = "given together with ground_m or base_m",
-           .allowed = "either ground_m and base_m, or outline_m"});
-    else if (!outline && (!ground || !base))
-      add({.key = ground ? "section.base_m" : "section.ground_m",
-           .problem = std::string(missing_key),
-           .allowed = "either ground_m and base_m, or outline_m"});
+    check_drawing_keys();
     section.ground = values_.get<Polyline>("section.ground_m").value_or(Polyline{});
     section.outline = values_.get<Polyline>("section.outline_m").value_or(Polyline{});
     section.base = values_.get<Polyline>("section.base_m").value_or(Polyline{});
     if (const auto level = values_.get<double>("section.base_m"); level && !section.ground.empty())
       section.base = {{section.ground.front().x(), *level}, {section.ground.back().x(), *level}};
+    if (const auto file = values_.get<std::string>("section.mesh_file"))
+      curves_ = read_section(*file, folder_, values_.soils, section, mistakes_);
     section.left_pool_level = case_.water.left_level;
     section.right_pool_level = case_.water.right_level;
     for (std::size_t i = 1; i <= values_.count("section.zone"); ++i)
       assemble_zone(fmt::format("section.zone[{}].", i));
+  }
+
+  /// The section is drawn in one of three ways.
+  void check_drawing_keys()
+  {
+    constexpr const char* ways = "either ground_m and base_m, or outline_m, or mesh_file";
+    const bool outline = given("section.outline_m"), file = given("section.mesh_file");
+    const bool ground = given("section.ground_m"), base = given("section.base_m");
+    if (file && (outline || ground || base || values_.count("section.zone") > 0))
+      add({.key = "section.mesh_file",
+           .problem = "given together with ground_m, base_m, outline_m or a zone",
+           .allowed = ways});
+    else if (outline && (ground || base))
+      add({.key = "section.outline_m",
+           .problem = "given together with ground_m or base_m",
+           .allowed = ways});
+    else if (!file && !outline && (!ground || !base))
+      add({.key = ground ? "section.base_m" : "section.ground_m",
+           .problem = std::string(missing_key),
+           .allowed = ways});
   }
 
   void assemble_zone(const std::string& at)
@@ -273,8 +290,7 @@ private:
              .value = fmt::format("{}", boundary.value),
              .allowed = "0 <= value <= 1 for rain in m/s"});
       case_.marked_boundaries.push_back(boundary);
-      case_.section.marked_lines.push_back(
-          values_.get<Polyline>(at + "line_m").value_or(Polyline{}));
+      case_.section.marked_lines.push_back(boundary_line(at));
     }
     case_.rain = number("seepage.rain_m_s", 0);
     if (case_.water.pore_pressure != PorePressureKind::seepage)
@@ -283,6 +299,29 @@ private:
       case_.section.marked_lines.clear();
       case_.rain = 0;
     }
+  }
+
+  /// Drawn in the case, or a curve of the mesh file.
+  Polyline boundary_line(const std::string& at)
+  {
+    const auto name = values_.get<std::string>(at + "curve");
+    const bool line = given(at + "line_m");
+    if (line == given(at + "curve"))
+      add({.key = at + "line_m",
+           .problem = line ? "given together with curve" : std::string(missing_key),
+           .allowed = "either line_m, or curve where the section has a mesh_file"});
+    if (!name)
+      return values_.get<Polyline>(at + "line_m").value_or(Polyline{});
+    if (const auto curve = curves_.find(*name); curve != curves_.end())
+      return curve->second;
+    std::vector<std::string> known;
+    for (const auto& [curve, points] : curves_)
+      known.push_back(curve);
+    add({.key = at + "curve",
+         .value = "\"" + *name + "\"",
+         .problem = "the mesh file has no such physical curve",
+         .allowed = known.empty() ? "it has none" : fmt::format("{}", fmt::join(known, " | "))});
+    return {};
   }
 
   void assemble_settings()
@@ -321,6 +360,7 @@ private:
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
     case_.output.lines = assemble_lines(values_, mistakes_);
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+    case_.output.msh = values_.get<bool>("output.msh").value_or(false);
   }
 
   void assemble_scope()
@@ -534,6 +574,8 @@ private:
   }
 
   const CheckedValues& values_;
+  std::filesystem::path folder_;           ///< of the case file
+  std::map<std::string, Polyline> curves_; ///< of the mesh file
   bool seepage_only_;
   std::vector<Mistake>& mistakes_;
   coupling::Case case_;
@@ -546,7 +588,7 @@ coupling::Case read_case(const std::string& path, const ReadOptions& options, Ke
   TomlValue document = parse_toml(text, path, places);
   std::vector<Mistake> mistakes = apply_overrides(document, options.overrides, places);
   const CheckedValues values = check_values(document, places, mistakes);
-  coupling::Case input = Assembler(values, options.seepage_only, mistakes).assemble();
+  coupling::Case input = Assembler(values, path, options.seepage_only, mistakes).assemble();
   if (!mistakes.empty())
     throw InputError(std::move(mistakes));
   input.title =

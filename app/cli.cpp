@@ -32,7 +32,9 @@ struct RunOptions
   std::string case_path;
   ReadOptions read;
   std::string out; ///< empty: default_directory
+  std::string log; ///< file for the log; empty: none
   bool quiet = false;
+  bool verbose = false;
   bool resume = false; ///< go on with a run-out
   int threads = 0;     ///< 0: what the case says
 };
@@ -57,6 +59,15 @@ std::filesystem::path begin_run(const RunOptions& options, const coupling::Case&
   return directory;
 }
 
+/// On stderr, of one of the ranks.
+Console console_of(const RunOptions& options, bool speaks)
+{
+  const Volume volume = options.quiet || !speaks ? Volume::quiet
+                        : options.verbose        ? Volume::verbose
+                                                 : Volume::normal;
+  return Console(stderr, isatty(STDERR_FILENO) == 1, volume, speaks ? options.log : "");
+}
+
 int run_case(const RunOptions& options, KeyPlaces& places)
 {
   coupling::Case input = read_case(options.case_path, options.read, places);
@@ -67,7 +78,7 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
   const std::filesystem::path directory = begin_run(options, input, "", places);
   FrameFiles frames(directory, options.resume);
-  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
+  Console console = console_of(options, speaks);
   const coupling::Analysis analysis = coupling::analyse(input, console, frames, team);
   if (!speaks)
     return complete(input, analysis) ? exit_ok : exit_no_answer;
@@ -93,7 +104,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
   Team& team = process_team();
   const bool speaks = team.rank() == 0;
   const std::filesystem::path directory = begin_run(options, input, "_compared", places);
-  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet || !speaks);
+  Console console = console_of(options, speaks);
   const auto draw = [&](const std::string& problem)
   {
     if (!problem.empty())
@@ -148,7 +159,12 @@ void add_run_options(CLI::App& command, RunOptions& options)
       .add_option("--out", options.out,
                   "Directory for the results [results/<case's folder>_<case's name>]")
       ->type_name("DIR");
-  command.add_flag("--quiet", options.quiet, "Print mistakes and errors only");
+  CLI::Option* quiet = command.add_flag("--quiet", options.quiet, "Print mistakes and errors only");
+  command.add_flag("--verbose", options.verbose, "Print details, such as each Newton step")
+      ->excludes(quiet);
+  command
+      .add_option("--log", options.log, "Write all of it to a file, details as well, as it goes on")
+      ->type_name("FILE");
   command
       .add_option("--threads", options.threads, "Threads of the particle loops [all processors]")
       ->type_name("N")

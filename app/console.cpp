@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 #include <sys/ioctl.h>
@@ -39,9 +41,14 @@ void catch_stop_signals()
   std::signal(SIGTERM, on_stop_signal);
 }
 
-Console::Console(std::FILE* stream, bool terminal, bool quiet)
-    : stream_(stream), terminal_(terminal), quiet_(quiet)
+Console::Console(std::FILE* stream, bool terminal, Volume volume, const std::filesystem::path& log)
+    : stream_(stream), terminal_(terminal), volume_(volume)
 {
+  if (log.empty())
+    return;
+  log_.open(log);
+  if (!log_)
+    throw IoError("--log " + log.string() + ": cannot be opened for writing");
 }
 
 Console::~Console()
@@ -67,6 +74,11 @@ void Console::note(std::string_view text)
   line(fmt::format("  {}", text));
 }
 
+void Console::detail(std::string_view text)
+{
+  line(fmt::format("  {}", text), Volume::verbose);
+}
+
 void Console::warn(std::string_view text)
 {
   warnings_.emplace_back(text);
@@ -77,7 +89,7 @@ void Console::progress(double fraction, std::string_view text)
 {
   const double shown_every = terminal_ ? 0.1 : 60; // [s]
   const double now = stage_watch_.elapsed().wall;
-  if (quiet_ || now - last_shown_ < shown_every)
+  if (volume_ == Volume::quiet || now - last_shown_ < shown_every)
     return;
   last_shown_ = now;
   const double done = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
@@ -86,7 +98,8 @@ void Console::progress(double fraction, std::string_view text)
     left = fmt::format(", {} left", duration_text(now * (1 - done) / done));
   if (!terminal_)
   {
-    line(fmt::format("  {:.0f} %{}: {}", 100 * done, left, text));
+    fmt::print(stream_, "  {:.0f} %{}: {}\n", 100 * done, left, text);
+    std::fflush(stream_);
     return;
   }
   constexpr int cells = 24;
@@ -107,9 +120,11 @@ void Console::clear_bar()
   bar_shown_ = false;
 }
 
-void Console::line(std::string_view text)
+void Console::line(std::string_view text, Volume from)
 {
-  if (quiet_)
+  if (log_.is_open())
+    log_ << fmt::format("{:9.2f} s  {}\n", watch_.elapsed().wall, text) << std::flush;
+  if (volume_ < from)
     return;
   clear_bar();
   fmt::print(stream_, "{}\n", text);

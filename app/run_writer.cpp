@@ -3,6 +3,7 @@
 
 #include "app/field_files.h"
 #include "app/frame_files.h"
+#include "app/msh_file.h"
 #include "app/reading_files.h"
 #include "app/result_json.h"
 #include "core/error.h"
@@ -18,13 +19,24 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::array our_files = {
-    "case.toml",          "results.h5",           "results_particles.xdmf",
-    "results_mesh.xdmf",  "results_run_out.xdmf", "seepage.png",
-    "slip.png",           "trials.png",           "curves.png",
-    "run_out.png",        "run_out_energy.png",   "run_out.gif",
-    "lines.png",          "exit_gradient.png",    "phreatic_lines.csv",
-    "exit_gradients.csv", "result.json"};
+constexpr std::array our_files = {"case.toml",
+                                  "results.h5",
+                                  "results_particles.xdmf",
+                                  "results_mesh.xdmf",
+                                  "results_run_out.xdmf",
+                                  "seepage.png",
+                                  "slip.png",
+                                  "trials.png",
+                                  "curves.png",
+                                  "run_out.png",
+                                  "run_out_energy.png",
+                                  "run_out.gif",
+                                  "lines.png",
+                                  "exit_gradient.png",
+                                  "phreatic_lines.csv",
+                                  "exit_gradients.csv",
+                                  "mesh.msh",
+                                  "result.json"};
 
 fs::path aside(const fs::path& path)
 {
@@ -112,6 +124,9 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                particles_xdmf(*analysis.stability, "results.h5"));
   if (analysis.seepage)
     write_text(aside(directory / "results_mesh.xdmf"), mesh_xdmf(*analysis.seepage, "results.h5"));
+  if (analysis.seepage && input.output.msh)
+    write_text(aside(directory / "mesh.msh"),
+               msh_text(input, analysis.section, analysis.seepage->mesh));
   for (const TextFile& file : reading_files(input, analysis))
   {
     std::error_code error; // told by write_text

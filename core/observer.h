@@ -19,6 +19,8 @@ public:
   virtual void stage(std::string_view /*name*/) {}
   /// A line for the log: a finished trial, a Newton history, a mesh size.
   virtual void note(std::string_view /*text*/) {}
+  /// A line for whoever looks for a cause, e.g. each Newton step. Called often.
+  virtual void detail(std::string_view /*text*/) {}
   /// Something doubtful but legal.
   virtual void warn(std::string_view /*text*/) {}
   /// How far the present stage is, in [0, 1], and a short text on what is being done. Called often.

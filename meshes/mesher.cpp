@@ -2,6 +2,7 @@
 #include "meshes/mesher.h"
 
 #include "core/error.h"
+#include "meshes/gmsh_session.h"
 #include "meshes/planar.h"
 #include "meshes/planar_graph.h"
 #include "meshes/refine.h"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <gmsh.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -79,35 +79,6 @@ private:
   std::vector<Edge> edges_;
 };
 
-/// gmsh between its start and its end. It sets the number of OpenMP's threads for the whole
-/// process; at its end that is as it was.
-class Gmsh
-{
-public:
-  Gmsh()
-  {
-    gmsh::initialize(0, nullptr, false);
-    for (const auto& [option, value] : std::initializer_list<std::pair<const char*, double>>{
-             {"General.Terminal", 0},
-             {"General.NumThreads", 1},
-             {"Mesh.MeshSizeExtendFromBoundary", 0},
-             {"Mesh.MeshSizeFromPoints", 0},
-             {"Mesh.MeshSizeFromCurvature", 0},
-             {"Geometry.AutoCoherence", 0}})
-      gmsh::option::setNumber(option, value);
-  }
-  Gmsh(const Gmsh&) = delete;
-  Gmsh& operator=(const Gmsh&) = delete;
-  ~Gmsh()
-  {
-    gmsh::finalize();
-    omp_set_num_threads(threads_before_);
-  }
-
-private:
-  int threads_before_ = omp_get_max_threads();
-};
-
 int tag(std::size_t i)
 {
   return static_cast<int>(i) + 1;
@@ -123,7 +94,7 @@ struct Meshed
 Meshed mesh_with(int algorithm, const Section& section, const PlanarGraph& graph,
                  const SizeField& field, double factor)
 {
-  const Gmsh session;
+  const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", algorithm);
   gmsh::model::add("section");
 

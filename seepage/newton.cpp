@@ -210,10 +210,12 @@ private:
         evaluate();
       const Totals now = totals();
       const double residual = now.imbalance / std::max(now.flow(), now.rounding);
-      log_ += fmt::format(
+      const std::string line = fmt::format(
           "  eps {:.3g} m, k_min {:.1e}, step {}: residual {:.2e}, q {:.6g} m2/s, {} changes "
-          "of the seepage face\n",
+          "of the seepage face",
           level.eps, level.k_min, step, residual, now.inflow, changes);
+      log_ += line + '\n';
+      observer_.detail(line);
       const bool nothing_flows = now.flow() <= now.rounding && now.imbalance <= now.rounding;
       if (step == 0)
         first = best = residual;

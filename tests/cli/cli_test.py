@@ -302,6 +302,23 @@ class Cli(unittest.TestCase):
     def test_quiet_prints_nothing(self):
         self.assertEqual(self.berm("run", DRY, *COARSE, *NO_FIGURES, "--quiet"), ("", ""))
 
+    @unittest.skipUnless(HAS_SEEPAGE, "needs the seepage stage")
+    def test_log_holds_the_details_that_verbose_prints(self):
+        case = CASES / "seepage.toml"
+        plain = self.berm("seepage", case, *NO_FIGURES, "--log", "run.log")[1]
+        self.assertNotIn("residual", plain)
+        log = (self.dir / "run.log").read_text(encoding="utf-8")
+        steps = [line for line in log.splitlines() if "residual" in line]
+        result = self.result("results/two_sided_embankment_seepage")["seepage"]
+        self.assertGreaterEqual(len(steps), sum(m["newton_steps"] for m in result["meshes"]))
+        verbose = self.berm("seepage", case, *NO_FIGURES, "--verbose")[1]
+        self.assertEqual(verbose.count("residual"), len(steps))
+
+    def test_a_log_that_cannot_be_written_is_refused_before_the_run(self):
+        error = self.berm("run", DRY, *COARSE, "--log", "no/such/folder.log", code=4)[1]
+        self.assertIn("no/such/folder.log", error)
+        self.assertFalse((self.dir / "results/two_sided_embankment_dry/result.json").exists())
+
     def start_and_wait_for_trials(self):
         """A run that is in its strength reduction."""
         fine = ["--set", "sph.spacing_m=0.5"]

@@ -2,11 +2,15 @@
 #include "app/report.h"
 
 #include "app/console.h"
+#include "core/error.h"
 #include "small_run.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace berm::app
 {
@@ -72,7 +76,7 @@ TEST(Console, WritesPlainLinesToALog)
 {
   std::FILE* log = std::tmpfile();
   {
-    Console console(log, false, false);
+    Console console(log, false, Volume::normal);
     console.stage("settling");
     console.progress(0.5, "half");
     console.note("done");
@@ -86,11 +90,38 @@ TEST(Console, WritesPlainLinesToALog)
   EXPECT_EQ(std::string(text, length), "settling\n  done\n  warning: doubtful\n");
 }
 
+TEST(Console, TellsDetailsToALogFileAndWhereAskedFor)
+{
+  const std::filesystem::path path = testing::TempDir() + "berm_console.log";
+  const auto told = [&](Volume volume)
+  {
+    std::FILE* stream = std::tmpfile();
+    {
+      Console console(stream, false, volume, path);
+      console.note("a trial");
+      console.detail("a step");
+    }
+    const long length = std::ftell(stream);
+    std::fclose(stream);
+    return length;
+  };
+  const std::string note = "  a trial\n", detail = "  a step\n";
+  EXPECT_EQ(told(Volume::quiet), 0);
+  EXPECT_EQ(told(Volume::normal), static_cast<long>(note.size()));
+  EXPECT_EQ(told(Volume::verbose), static_cast<long>((note + detail).size()));
+  std::ifstream file(path);
+  std::string first, second;
+  ASSERT_TRUE(std::getline(file, first) && std::getline(file, second));
+  EXPECT_TRUE(first.ends_with(" s    a trial")) << first;
+  EXPECT_TRUE(second.ends_with(" s    a step")) << second;
+  EXPECT_THROW(Console(stderr, false, Volume::normal, testing::TempDir()), IoError);
+}
+
 TEST(Console, DrawsABarOnATerminalAndTakesItAway)
 {
   std::FILE* screen = std::tmpfile();
   {
-    Console console(screen, true, false);
+    Console console(screen, true, Volume::normal);
     console.stage("settling");
     console.progress(0.5, "half");
     console.progress(NAN, "too early to be drawn again");

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/case_mesh_file.h"
+
+#ifdef BERM_WITH_SEEPAGE
+#include "meshes/mesh_file.h"
+#endif
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace berm::app
+{
+namespace
+{
+constexpr const char* key = "section.mesh_file";
+
+#ifdef BERM_WITH_SEEPAGE
+/// Soil of each region; names that are no soil's are reported.
+void add_zones(const meshes::GmshDrawing& drawing, const std::vector<std::string>& soils,
+               meshes::SectionInput& section, std::vector<Mistake>& mistakes)
+{
+  for (const meshes::DrawnRegion& region : drawing.regions)
+  {
+    const auto it = std::ranges::find(soils, region.name);
+    if (it == soils.end())
+      mistakes.push_back({.key = key,
+                          .value = "\"" + region.name + "\"",
+                          .problem = "a physical surface has this name, but no soil has",
+                          .allowed = fmt::format("{}", fmt::join(soils, " | ")),
+                          .hint = "name each physical surface after the soil in it"});
+    section.zones.push_back({static_cast<Index>(it - soils.begin()), region.polygon});
+  }
+}
+#endif
+} // namespace
+
+std::map<std::string, Polyline> read_section(const std::string& file,
+                                             const std::filesystem::path& folder,
+                                             const std::vector<std::string>& soils,
+                                             meshes::SectionInput& section,
+                                             std::vector<Mistake>& mistakes)
+{
+  std::map<std::string, Polyline> curves;
+  const auto add = [&](const char* problem, const char* allowed, const char* hint)
+  {
+    mistakes.push_back({.key = key,
+                        .value = "\"" + file + "\"",
+                        .problem = problem,
+                        .allowed = allowed,
+                        .hint = hint});
+  };
+  const std::filesystem::path path(file);
+  const bool leads_out = path.is_relative() && path.lexically_normal().begin()->string() == "..";
+  if (path.extension() != ".geo" && path.extension() != ".msh")
+    add("no file that berm reads", "a .geo or .msh of gmsh", "");
+  else if (leads_out)
+    add("leads out of the case file's folder", "a path within it, or an absolute one", "");
+  else
+  {
+#ifdef BERM_WITH_SEEPAGE
+    const std::filesystem::path full = path.is_absolute() ? path : folder / path;
+    if (!std::filesystem::is_regular_file(full))
+    {
+      add("there is no such file", "", full.c_str());
+      return curves;
+    }
+    try
+    {
+      const meshes::GmshDrawing drawing = meshes::read_gmsh(full);
+      section.outline = drawing.outline;
+      add_zones(drawing, soils, section, mistakes);
+      for (const meshes::DrawnCurve& curve : drawing.curves)
+        curves[curve.name] = curve.line;
+    }
+    catch (const InputError& e)
+    {
+      mistakes.insert(mistakes.end(), e.mistakes().begin(), e.mistakes().end());
+    }
+#else
+    static_cast<void>(folder);
+    static_cast<void>(soils);
+    static_cast<void>(section);
+    add("this build has no gmsh to read it", "ground_m and base_m, or outline_m",
+        "build berm with -DBERM_WITH_SEEPAGE=ON");
+#endif
+  }
+  return curves;
+}
+} // namespace berm::app

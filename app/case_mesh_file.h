@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/case_check.h"
+#include "core/error.h"
+#include "meshes/section.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// section.mesh_file of the case file.
+namespace berm::app
+{
+/// @brief Outline and zones of the section from a file of gmsh; its surfaces are named after soils.
+/// @param[in]     folder    Of the case file. A relative path may not lead out of it.
+/// @param[in,out] mistakes  Gains what is wrong with the file, and names that are no soil's.
+/// @return Its physical curves, by name.
+std::map<std::string, Polyline> read_section(const std::string& file,
+                                             const std::filesystem::path& folder,
+                                             const std::vector<std::string>& soils,
+                                             meshes::SectionInput& section,
+                                             std::vector<Mistake>& mistakes);
+} // namespace berm::app

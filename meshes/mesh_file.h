@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tensor.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm::meshes
+{
+/// What a physical surface covers.
+struct DrawnRegion
+{
+  std::string name;
+  Polyline
+      polygon; ///< outer border, counter-clockwise; what lies in its holes belongs to others [m]
+};
+
+/// A physical curve.
+struct DrawnCurve
+{
+  std::string name;
+  Polyline line; ///< [m]
+};
+
+/// A section as a file of gmsh draws it.
+struct GmshDrawing
+{
+  Polyline outline;                 ///< of all regions together, counter-clockwise [m]
+  std::vector<DrawnRegion> regions; ///< largest first, so that a later one covers an earlier one; a
+                                    ///< surface in several pieces comes several times
+  std::vector<DrawnCurve> curves;
+};
+
+/// @brief Read the drawing in a geometry (.geo) or mesh (.msh) of gmsh in the plane z = 0, in m:
+/// the borders of its physical surfaces, and its physical curves. The elements themselves are not
+/// kept. Curved borders come as the polygons of the mesh. Points that do nothing on a straight
+/// border are left out. A .geo is a program; one with commands that reach outside (SystemCall,
+/// Include, Save and the like) is refused unread.
+/// @throws InputError with key section.mesh_file: gmsh cannot read it, no or unnamed physical
+/// surfaces, a mesh not in the plane z = 0, surfaces that are not one piece or leave a hole, a
+/// curve of several pieces. IoError if the file cannot be opened.
+[[nodiscard]] GmshDrawing read_gmsh(const std::filesystem::path& path);
+} // namespace berm::meshes
