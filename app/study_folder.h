@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/study_files.h"
+
+#include <filesystem>
+#include <string>
+
+namespace berm::app
+{
+/// The directory of a study, which no other process works in meanwhile.
+class StudyFolder
+{
+public:
+  /// @brief Make the directory if it is not there, and lock it.
+  /// @throws IoError if that fails, or if another study runs there.
+  explicit StudyFolder(const std::filesystem::path& directory);
+  StudyFolder(const StudyFolder&) = delete;
+  StudyFolder& operator=(const StudyFolder&) = delete;
+  ~StudyFolder();
+
+  /// @brief Remove the members and tables of the study that is there. Other files stay.
+  void clear() const;
+  /// @throws InputError that names what differs, if another study is there.
+  void refuse_another(const Study& study) const;
+  /// @brief Keep a copy of the reference points, or none if `path` is empty.
+  void take_reference(const std::string& path) const;
+
+private:
+  std::filesystem::path directory_;
+  int handle_ = -1;
+};
+} // namespace berm::app
