@@ -2,7 +2,6 @@
 #include "app/child_processes.h"
 
 #include "app/cli.h"
-#include "core/error.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -52,8 +51,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts)
 }
 } // namespace
 
-void ChildProcesses::start(std::size_t ticket, std::vector<std::string> arguments,
-                           const std::filesystem::path& log)
+std::string ChildProcesses::start(std::size_t ticket, std::vector<std::string> arguments,
+                                  const std::filesystem::path& log)
 {
   std::vector<std::string> environment = child_environment();
   arguments.insert(arguments.begin(), "berm");
@@ -73,9 +72,9 @@ void ChildProcesses::start(std::size_t ticket, std::vector<std::string> argument
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0)
-    throw IoError(log.string() + ": a process for it cannot be started: " +
-                  std::generic_category().message(error));
+    return "cannot be started with " + log.string() + ": " + std::generic_category().message(error);
   running_.push_back({id, ticket});
+  return {};
 }
 
 std::vector<ChildEnd> ChildProcesses::poll()

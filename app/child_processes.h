@@ -27,9 +27,9 @@ public:
   /// @brief Start this program with arguments of its own, on one thread.
   /// @param[in] ticket  Tells the child from others in what poll() says.
   /// @param[in] log     Where stdout and stderr go.
-  /// @throws IoError if it cannot be started.
-  void start(std::size_t ticket, std::vector<std::string> arguments,
-             const std::filesystem::path& log);
+  /// @return Empty, or why it was not started.
+  [[nodiscard]] std::string start(std::size_t ticket, std::vector<std::string> arguments,
+                                  const std::filesystem::path& log);
   /// @brief Those that ended since the last call. Waits for a moment if there are none.
   [[nodiscard]] std::vector<ChildEnd> poll();
   /// @brief Ask all to stop (SIGTERM), once.

@@ -97,7 +97,7 @@ std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& plac
                            places.run_began ? "the run was given up" : "nothing was run");
 }
 
-std::string describe(const Mistake& mistake, const KeyPlaces& places)
+std::string describe_one(const Mistake& mistake, const KeyPlaces& places)
 {
   return text_of(mistake, printable(places.find(mistake.key).text));
 }

@@ -97,7 +97,8 @@ public:
         waiting_.pop_back();
       }
       for (const ChildEnd& end : children_.poll())
-        finish(end);
+        finish(end.ticket,
+               result_of(end, directory_, study_.members[end.ticket], study_.case_text));
     }
   }
 
@@ -106,29 +107,34 @@ private:
   {
     const Member& member = study_.members[m];
     const fs::path folder = directory_ / member.folder;
-    prepare_directory(folder);
-    std::error_code none;
+    std::error_code none; // what fails here fails again below, and is told
+    fs::create_directories(folder, none);
     fs::remove(folder / "result.json", none); // of another version; were it left, it would be told
     std::vector<std::string> arguments{study_.seepage_only ? "seepage" : "run",
                                        (directory_ / "case.toml").string()};
     for (const std::string& text : member.overrides)
       arguments.insert(arguments.end(), {"--set", text});
     arguments.insert(arguments.end(), {"--out", folder.string(), "--threads", "1", "--quiet"});
-    children_.start(m, std::move(arguments), folder / "log.txt");
+    const std::string problem = children_.start(m, std::move(arguments), folder / "log.txt");
+    if (problem.empty())
+      return;
+    MemberResult result;
+    result.status = MemberStatus::failed;
+    result.reason = problem;
+    finish(m, std::move(result));
   }
 
-  void finish(const ChildEnd& end)
+  void finish(std::size_t m, MemberResult result)
   {
-    study_.results[end.ticket] =
-        result_of(end, directory_, study_.members[end.ticket], study_.case_text);
+    study_.results[m] = std::move(result);
     write_study(directory_, study_);
     ++done_;
     const double left =
         watch_.elapsed().wall / static_cast<double>(done_) * static_cast<double>(to_run_ - done_);
     console_.note(fmt::format("{} of {}{}: {}: {}", done_, to_run_,
                               done_ < to_run_ ? fmt::format(", {} left", duration_text(left)) : "",
-                              study_.members[end.ticket].folder.substr(8), // without "members/"
-                              answer_text(study_.results[end.ticket])));
+                              fs::path(study_.members[m].folder).filename().string(),
+                              answer_text(study_.results[m])));
   }
 
   Study& study_;

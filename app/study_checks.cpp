@@ -21,7 +21,7 @@ public:
   {
     for (const Mistake& mistake : error.mistakes())
     {
-      const std::string text = describe(mistake, places);
+      const std::string text = describe_one(mistake, places);
       auto it = std::ranges::find(list_, text, &std::pair<std::string, Members>::first);
       if (it == list_.end())
         it = list_.insert(list_.end(), {text, {}});

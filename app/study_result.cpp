@@ -66,11 +66,8 @@ std::optional<double> processor_seconds(const Json& result)
 
 std::string why_incomplete(const Json& result)
 {
-  if (result.contains("stability") && !true_at(result, "/stability/complete"))
-  {
-    const std::string reason = text_at(result, "/stability/reason");
-    return reason.empty() ? "no factor of safety was found" : reason;
-  }
+  if (const std::string reason = text_at(result, "/stability/reason"); !reason.empty())
+    return reason;
   if (result.contains("runout") && !true_at(result, "/runout/at_rest"))
     return "the soil still moves";
   return "not every search found a factor of safety";

@@ -20,7 +20,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.colors import LogNorm, Normalize
 
 from section import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, colour_bar, draw_section, figure_for
 
@@ -42,7 +42,8 @@ def split_unit(key):
     elif where:
         words += f" of {where[1]} {where[2]}"
     elif path == "water":
-        words += " of the pool" if words.endswith("level") else ""
+        words = words.replace("left level", "left pool level").replace("right level",
+                                                                       "right pool level")
     return words, UNITS.get(unit, "")
 
 
@@ -57,17 +58,22 @@ def label(name):
     return f"{words} [{unit}]" if unit else words
 
 
+def value_text(value):
+    text = f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
+    return text if len(text) < 40 else text[:37] + "..."
+
+
 def short(name, value):
     """One value in a legend."""
-    text = f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
-    return f"{words_of(name)[0]} {text if len(text) < 40 else text[:37] + '...'} {words_of(name)[1]}"
+    return f"{words_of(name)[0]} {value_text(value)} {words_of(name)[1]}"
 
 
 class Quantity:
     """What is drawn upwards: where its value, its bar and its file come from."""
 
-    def __init__(self, key, title, low, high, reference):
-        self.key, self.title, self.low, self.high, self.reference = key, title, low, high, reference
+    def __init__(self, key, title, bars, low, high, reference):
+        self.key, self.title, self.bars, self.reference = key, title, bars, reference
+        self.low, self.high = low, high
 
     def bar(self, member):
         """Least and largest value; the value itself where nothing is known of its error."""
@@ -82,8 +88,8 @@ def error_bar(sign):
     return end
 
 
-FACTOR = Quantity("factor", "factor of safety [-]", lambda m: m["low"], lambda m: m["high"], "F")
-DISCHARGE = Quantity("discharge_m2_s", "discharge [m²/s per metre run]", error_bar(-1),
+FACTOR = Quantity("factor", "factor of safety [-]", "bars: from low to high", lambda m: m["low"], lambda m: m["high"], "F")
+DISCHARGE = Quantity("discharge_m2_s", "discharge [m²/s per metre run]", "bars: estimated error", error_bar(-1),
                      error_bar(1), "discharge_m2_s")
 
 
@@ -134,16 +140,13 @@ def draw_family(ax, members, x, quantity, colour, marker, name):
 
 
 def draw_missing(ax, x, member, quantity, colour):
-    """What is known without an answer: an arrow up from where it stood, down from where it failed."""
+    """What is known without an answer: dashes where it stood and where it failed, or a cross."""
     stands, fails = member["stands"], member["fails"]
     if quantity is FACTOR and (stands or fails):
-        if stands and fails:
-            ax.plot([x, x], [stands, fails], ":", color=colour, lw=2, zorder=2)
-        for at, sign in ((stands, 1), (fails, -1)):
-            if at:
-                ax.plot(x, at, marker=2 if sign > 0 else 3, color=colour, ms=9, zorder=3)
-        ax.annotate("undecided", (x, stands or fails), fontsize=7, rotation=90, color=colour,
-                    xytext=(4, 0), textcoords="offset points")
+        ends = [at for at in (stands, fails) if at]
+        ax.plot([x] * len(ends), ends, ":", marker="_", ms=14, mew=1.5, color=colour, zorder=3)
+        ax.annotate(member["status"], (x, ends[-1]), fontsize=8, ha="center", va="bottom",
+                    xytext=(0, 4), textcoords="offset points")
     else:
         ax.plot(x, 0.02, "x", color="black", ms=7, transform=ax.get_xaxis_transform(), zorder=4)
         ax.annotate(member["status"], (x, 0.04), xycoords=ax.get_xaxis_transform(), fontsize=7,
@@ -181,10 +184,14 @@ def curves_figure(study, directory, quantity):
     for member in study["members"]:
         key = tuple(member["values"][n] for n in others)
         families.setdefault(key, []).append(member | {"x": member["values"][x_name]})
-    for i, (key, members) in enumerate(families.items()):
-        name = ", ".join(short(n, v) for n, v in zip(others, key)) or "berm"
+    curves = {}  # families of the same values are one curve of several names
+    for key, members in families.items():
+        curve = tuple((m["x"], m[quantity.key], m["status"]) for m in members)
+        names_of_curve = curves.setdefault(curve, ([], members))[0]
+        names_of_curve.append(", ".join(short(n, v) for n, v in zip(others, key)) or "berm")
+    for i, (names_of_curve, members) in enumerate(curves.values()):
         draw_family(ax, members, x, quantity, COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)],
-                    name)
+                    "\n".join(names_of_curve))
     points = read_reference(directory, quantity.reference) if is_numeric(study, x_name) else []
     draw_reference(ax, points)
     values = [m[quantity.key] for m in study["members"] if m[quantity.key]]
@@ -194,7 +201,7 @@ def curves_figure(study, directory, quantity):
         low, high = ax.get_ylim()
         if low < 1 < high:
             ax.axhline(1, color="black", lw=0.8, ls="--", zorder=1)
-    ax.set_ylabel(quantity.title)
+    ax.set_ylabel(f"{quantity.title}\n({quantity.bars})")
     ax.set_title(study["title"])
     ax.grid(alpha=0.3)
     if points or len(families) > 1:
@@ -216,6 +223,23 @@ def tornado_rows(study, quantity):
     return rows
 
 
+def draw_bars(ax, row, ends, base):
+    """A bar to each side of the base, the key's values at their ends. Values on one side share it."""
+    for side, colour in ((-1, ORANGE), (1, BLUE)):
+        some = [(value, result) for value, result in ends if (result - base) * side > 0]
+        if not some:
+            continue
+        some.sort(key=lambda pair: -abs(pair[1] - base))
+        ax.barh(row, some[0][1] - base, left=base, height=0.55, color=colour, zorder=2)
+        text = "; ".join(dict.fromkeys(value_text(value) for value, _ in some))
+        ax.annotate(text, (some[0][1], row), fontsize=8, va="center", zorder=4,
+                    ha="right" if side < 0 else "left", xytext=(4 * side, 0),
+                    textcoords="offset points")
+    if all(result == base for _, result in ends):
+        ax.annotate("no effect", (base, row), fontsize=8, va="center", color=GREY, xytext=(4, 0),
+                    textcoords="offset points")
+
+
 def tornado_figure(study, quantities):
     """How far each key alone moves each quantity from the base."""
     base_member = study["members"][0]
@@ -229,17 +253,12 @@ def tornado_figure(study, quantities):
         base = base_member[quantity.key]
         rows = tornado_rows(study, quantity)
         for row, (name, ends) in enumerate(rows):
-            for value, result in ends:
-                colour = ORANGE if result < base else BLUE
-                ax.barh(row, result - base, left=base, height=0.55, color=colour, zorder=2)
-                text = f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
-                ax.annotate(text, (result, row), fontsize=8, va="center", zorder=4,
-                            ha="right" if result < base else "left",
-                            xytext=(-4 if result < base else 4, 0), textcoords="offset points")
+            draw_bars(ax, row, ends, base)
         low, high = quantity.bar(base_member)
         ax.axvspan(low, high, color="0.85", zorder=0, label="uncertainty of the base")
         ax.axvline(base, color="black", lw=1, zorder=3, label=f"base {base:.4g}")
         ax.set_yticks(range(len(rows)), [base_label(study, name) for name, _ in rows])
+        ax.set_ylim(-0.6, len(rows) - 0.4)
         ax.margins(x=0.14)
         ax.set_xlabel(quantity.title)
         ax.grid(axis="x", alpha=0.3)
@@ -251,45 +270,54 @@ def tornado_figure(study, quantities):
 def base_label(study, name):
     """A key with its unit and the value that the case gives it."""
     value = study["members"][0]["values"][name]
-    text = f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
-    return label(name) + (f"\n(base {text})" if value is not None else "")
+    return label(name) + (f"\n(base {value_text(value)})" if value is not None else "")
+
+
+def seepage_results(study, directory):
+    """(member, result.json) of the members with a phreatic line; those that repeat a line left out."""
+    found = []
+    for member in study["members"]:
+        path = directory / member["directory"] / "result.json"
+        if member["discharge_m2_s"] is None or not path.exists():
+            continue
+        result = json.loads(path.read_text(encoding="utf-8"))
+        lines = result["seepage"]["phreatic_lines_m"]
+        if lines and all(lines != other["seepage"]["phreatic_lines_m"] for _, other in found):
+            found.append((member, result))
+    return found
 
 
 def phreatic_figure(study, directory):
-    """The phreatic lines of all members on one section, coloured by the first key."""
-    names = list(study["members"][0]["values"])
-    name = next((n for n in names if is_numeric(study, n)), names[0])
-    results = []
-    for member in study["members"]:
-        path = directory / member["directory"] / "result.json"
-        if member["discharge_m2_s"] is not None and path.exists():
-            results.append((member, json.loads(path.read_text(encoding="utf-8"))))
-    results = [(m, r) for m, r in results if r["seepage"]["phreatic_lines_m"]]
-    if not results:
+    """The phreatic lines of all members on one section, coloured by the first key that is varied."""
+    found = seepage_results(study, directory)
+    if not found:
         return None
-    fig, ax = figure_for(results[0][1])
-    numeric = is_numeric(study, name)
-    different = list(dict.fromkeys(m["values"][name] for m, _ in results))
-    scale = plt.get_cmap("viridis")
-    at = (lambda v: np.log10(v)) if numeric and by_ratios(different) else float
-    if numeric:
-        norm = Normalize(min(map(at, different)), max(map(at, different)))
-        bar = ScalarMappable(norm, scale)
-    drawn = set()
-    for member, result in results:
-        value = member["values"][name]
-        i = different.index(value)
-        colour = scale(norm(at(value))) if numeric else COLOURS[i % len(COLOURS)]
-        for line in result["seepage"]["phreatic_lines_m"]:
-            text = None if numeric or value in drawn else short(name, value)
-            drawn.add(value)
-            ax.plot(*np.array(line).T, color=colour, lw=1.6, zorder=6, label=text)
-    draw_section(ax, without_pools_that_differ([r for _, r in results]))
+    fig, ax = figure_for(found[0][1])
+    names = list(study["members"][0]["values"])
+    name = next((n for n in names if is_numeric(study, n)), None)
+    one_by_one = study["design"] == "one-at-a-time"
+    bar = None
+    if name and not one_by_one:
+        values = [member["values"][name] for member in study["members"]]
+        norm = (LogNorm if by_ratios(values) else Normalize)(min(values), max(values))
+        bar = ScalarMappable(norm, plt.get_cmap("viridis"))
+    looks = [(colour, style) for style in ("-", "--", ":") for colour in COLOURS]
+    for i, (member, result) in enumerate(found):
+        colour, style = looks[i % len(looks)]
+        text = ", ".join(short(n, member["values"][n]) for n in member["varied"])
+        if bar:
+            colour, style, text = bar.to_rgba(member["values"][name]), "-", None
+        elif not member["varied"]:
+            colour, text = "black", "base"
+        for k, line in enumerate(result["seepage"]["phreatic_lines_m"]):
+            ax.plot(*np.array(line).T, ls=style, color=colour, lw=1.6, zorder=6,
+                    label=None if k else text)
+    draw_section(ax, without_pools_that_differ([r for _, r in found]))
     ax.set_title(f"{study['title']}: phreatic lines")
-    if numeric:
-        colour_bar(fig, ax, bar, ("log10 of " if at is not float else "") + label(name))
+    if bar:
+        colour_bar(fig, ax, bar, label(name))
     else:
-        ax.legend(loc="upper right", fontsize=8)
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), fontsize=8, ncol=3)
     return fig
 
 
