@@ -3,6 +3,7 @@
 
 #include "app/case_file.h"
 #include "app/case_schema.h"
+#include "app/case_templates.h"
 #include "app/comparison_files.h"
 #include "app/console.h"
 #include "app/figures.h"
@@ -156,6 +157,16 @@ void add_run_options(CLI::App& command, RunOptions& options)
       ->check(CLI::Range(1, 1024));
 }
 
+void add_init_options(CLI::App& command, std::string& name, std::string& kind)
+{
+  command.add_option("NAME", name, "The case: NAME.toml, which must not be there")->required();
+  std::vector<std::string> kinds;
+  for (const CaseTemplate& one : case_templates())
+    kinds.emplace_back(one.name);
+  command.add_option("--template", kind, "What to begin with [embankment]")
+      ->check(CLI::IsMember(kinds));
+}
+
 void add_study_options(CLI::App& command, StudyOptions& options)
 {
   command
@@ -225,8 +236,15 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   add_study_options(*study, study_options);
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
   add_case_options(*check, options);
-  CLI::App* reference =
-      app.add_subcommand("reference", "Print the table of case file keys (Markdown)");
+  std::string new_case, kind = "embankment", format = "md";
+  CLI::App* init = app.add_subcommand("init", "Write a commented case file to begin with");
+  add_init_options(*init, new_case, kind);
+  CLI::App* reference = app.add_subcommand("reference", "Print the table of case file keys");
+  reference
+      ->add_option(
+          "--format", format,
+          "md: a Markdown page; json-schema: for editors that complete and check TOML [md]")
+      ->check(CLI::IsMember({"md", "json-schema"}));
   CLI::App* print_version =
       app.add_subcommand("version", "Print version, commit, compiler and libraries");
 
@@ -245,12 +263,17 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
     code = run_case(options, places);
   else if (compare->parsed())
     code = compare_case(options, places);
+  else if (init->parsed())
+  {
+    const std::string path = write_template(new_case, kind).string();
+    std::cout << path << " is written. Next:  berm check " << path << "\n";
+  }
   else if (study->parsed())
     code = run_study(study_options, places);
   else if (check->parsed())
     code = check_case(options, places);
   else if (reference->parsed())
-    std::cout << case_reference();
+    std::cout << (format == "md" ? case_reference() : case_json_schema());
   else if (print_version->parsed())
     std::cout << version_text();
   else

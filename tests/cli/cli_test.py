@@ -18,6 +18,9 @@ BERM = os.environ["BERM"]
 SOURCE = pathlib.Path(os.environ["BERM_SOURCE"])
 HAS_SEEPAGE = os.environ.get("BERM_HAS_SEEPAGE", "ON").upper() in ("ON", "1", "TRUE")
 CAN_PLOT = os.environ.get("BERM_PLOTS") == "1"
+SYSTEM_PYTHON = "/usr/bin/python3"
+CAN_VALIDATE = subprocess.run([SYSTEM_PYTHON, "-c", "import jsonschema, tomllib"], check=False,
+                              stderr=subprocess.DEVNULL).returncode == 0
 CASES = SOURCE / "cases" / "two_sided_embankment"
 DRY = str(CASES / "dry.toml")
 # Coarse: seconds, not an answer to rely on.
@@ -746,6 +749,83 @@ class Cli(unittest.TestCase):
                 files = [str(SOURCE / a) if a.startswith("cases/") else a for a in command]
                 out, _ = self.berm(*files, "--check")
                 self.assertIn("No mistakes", out)
+
+    def test_every_template_is_a_sound_case_and_no_file_is_overwritten(self):
+        for kind in ("embankment", "dam_with_core", "levee", "cut"):
+            out, _ = self.berm("init", kind, "--template", kind)
+            self.assertIn(f"berm check {kind}.toml", out)
+            text = (SOURCE / "cases" / "templates" / f"{kind}.toml").read_bytes()
+            self.assertEqual((self.dir / f"{kind}.toml").read_bytes(), text)
+            if HAS_SEEPAGE or b'pore_pressure = "seepage"' not in text:
+                self.berm("check", f"{kind}.toml")
+        (self.dir / "mine.toml").write_text("mine")
+        _, err = self.berm("init", "mine", code=4)
+        self.assertIn("mine.toml: is there already", err)
+        self.assertEqual((self.dir / "mine.toml").read_text(), "mine")
+        _, err = self.berm("init", "other", "--template", "bridge", code=2)
+        for kind in ("embankment", "dam_with_core", "levee", "cut"):
+            self.assertIn(kind, err)
+        self.berm("init", "no/such/folder", code=4)
+        if HAS_SEEPAGE:
+            self.berm("seepage", "levee.toml", "--set", "seepage.adaptive=false", *NO_FIGURES,
+                      "--out", "out")
+            heave = self.result("out")["seepage"]["heave"]["factor"]
+            self.assertTrue(1 < heave < 2, heave)  # what the template is there to show
+
+    def validate(self, schema, paths):
+        """Each file's first offence against the schema, or "sound"."""
+        script = ("import json, sys, tomllib, jsonschema\n"
+                  "schema = json.load(open(sys.argv[1]))\n"
+                  "jsonschema.Draft7Validator.check_schema(schema)\n"
+                  "for path in sys.argv[2:]:\n"
+                  "    with open(path, 'rb') as file:\n"
+                  "        data = (tomllib if path.endswith('toml') else json).load(file)\n"
+                  "    found = list(jsonschema.Draft7Validator(schema).iter_errors(data))\n"
+                  "    print([*found[0].absolute_path, found[0].message] if found else 'sound')\n")
+        done = subprocess.run([SYSTEM_PYTHON, "-c", script, schema, *map(str, paths)],
+                              cwd=self.dir, check=False, text=True, capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout.splitlines()
+
+    @unittest.skipUnless(CAN_VALIDATE, "no python3-jsonschema")
+    def test_the_schema_takes_every_case_and_refuses_wrong_types_and_keys(self):
+        self.write(self.berm("reference", "--format", "json-schema")[0], "schema.json")
+        cases = sorted((SOURCE / "cases").glob("*/*.toml"))
+        self.assertGreater(len(cases), 10)
+        self.assertEqual(self.validate("schema.json", cases), ["sound"] * len(cases))
+        text = pathlib.Path(DRY).read_text()
+        for right, wrong, offence in (
+            ("base_m   = 0", 'base_m   = "0"', "'section', 'base_m'"),
+            ("cohesion_kPa       = 13.8", "cohesion_Pa = 13800", "'cohesion_Pa' was unexpected"),
+            ("cohesion_kPa       = 13.8", "", "'cohesion_kPa' is a required property"),
+            ("friction_angle_deg = 37", "friction_angle_deg = 90", "90"),
+            ('"none"', '"some"', "'some' is not one of"),
+        ):
+            self.assertIn(right, text)
+            name = self.write(text.replace(right, wrong))
+            self.assertIn(offence, self.validate("schema.json", [name])[0])
+            self.berm("check", name, code=2)
+
+    @unittest.skipUnless(CAN_VALIDATE, "no python3-jsonschema")
+    def test_results_of_every_kind_are_as_their_schema_says(self):
+        case = CASES / ("seepage.toml" if HAS_SEEPAGE else "hydrostatic.toml")
+        probe = ["--set", "output.line=[{points_m=[[103,0],[103,20]]}]"]
+        self.berm("run", case, *COARSE, *NO_FIGURES, *probe, "--out", "run")
+        self.berm("run", DRY, *COARSE, *NO_FIGURES, "--set", "stability.side=both", "--out", "both")
+        self.run_out("motion", *NO_FIGURES)
+        self.run_out("moving", "--set", "runout.duration_s=1", *NO_FIGURES, code=3)
+        kinds = ["run", "both", "motion", "moving"]
+        if HAS_SEEPAGE:
+            self.berm("seepage", SOURCE / "cases" / "sheet_pile" / "seepage.toml", *NO_FIGURES,
+                      "--out", "pile")
+            kinds.append("pile")
+        schema = SOURCE / "docs" / "result.schema.json"
+        paths = [self.dir / kind / "result.json" for kind in kinds]
+        self.assertEqual(self.validate(schema, paths), ["sound"] * len(kinds))
+        wrong = self.result("run")
+        wrong["stability"]["trials"][0]["outcome"] = "perhaps"
+        (self.dir / "wrong.json").write_text(json.dumps(wrong))
+        self.assertIn("'perhaps'", self.validate(schema, ["wrong.json"])[0])
 
 
 if __name__ == "__main__":
