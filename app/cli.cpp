@@ -4,6 +4,7 @@
 #include "app/case_file.h"
 #include "app/case_schema.h"
 #include "app/case_templates.h"
+#include "app/cli_pages.h"
 #include "app/comparison_files.h"
 #include "app/console.h"
 #include "app/figures.h"
@@ -245,6 +246,12 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
           "--format", format,
           "md: a Markdown page; json-schema: for editors that complete and check TOML [md]")
       ->check(CLI::IsMember({"md", "json-schema"}));
+  CLI::App* completion =
+      app.add_subcommand("completion", "Print a script that completes this command line");
+  std::string shell;
+  completion->add_option("SHELL", shell, "The shell")->required()->check(CLI::IsMember({"bash"}));
+  CLI::App* man =
+      app.add_subcommand("man", "Print the manual page; read it by  berm man | man -l -");
   CLI::App* print_version =
       app.add_subcommand("version", "Print version, commit, compiler and libraries");
 
@@ -274,6 +281,10 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
     code = check_case(options, places);
   else if (reference->parsed())
     std::cout << (format == "md" ? case_reference() : case_json_schema());
+  else if (completion->parsed())
+    std::cout << bash_completion(app);
+  else if (man->parsed())
+    std::cout << man_page(app);
   else if (print_version->parsed())
     std::cout << version_text();
   else
