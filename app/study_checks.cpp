@@ -13,15 +13,26 @@ namespace berm::app
 {
 namespace
 {
+/// A mistake's text: what a member has from --vary does not come from --set.
+std::string as_given(std::string text, const Study& study)
+{
+  constexpr std::string_view set = "--set ";
+  const bool varied = text.starts_with(set) &&
+                      std::ranges::none_of(study.overrides, [&](const std::string& fixed)
+                                           { return text.substr(set.size()).starts_with(fixed); });
+  return varied ? text.replace(0, set.size(), "--vary ") : text;
+}
+
 /// Mistakes as told, each with the members that have it.
 class MistakeList
 {
 public:
-  void add(const InputError& error, const KeyPlaces& places, const std::string& member)
+  void add(const InputError& error, const KeyPlaces& places, const Study& study,
+           const std::string& member)
   {
     for (const Mistake& mistake : error.mistakes())
     {
-      const std::string text = describe_one(mistake, places);
+      const std::string text = as_given(describe_one(mistake, places), study);
       auto it = std::ranges::find(list_, text, &std::pair<std::string, Members>::first);
       if (it == list_.end())
         it = list_.insert(list_.end(), {text, {}});
@@ -84,7 +95,7 @@ CheckedMembers check_members(const Study& study, const std::string& reference)
     }
     catch (const InputError& error)
     {
-      mistakes.add(error, places, member.folder);
+      mistakes.add(error, places, study, member.folder);
     }
   }
   checked.mistakes = mistakes.text(study.members.size());

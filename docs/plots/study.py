@@ -25,7 +25,8 @@ from matplotlib.colors import LogNorm, Normalize
 from section import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, colour_bar, draw_section, figure_for
 
 COLOURS = [BLUE, ORANGE, GREEN, PURPLE, SKY, GREY]
-MARKERS = ["o", "s", "^", "D", "v", "P"]
+LOOKS = [(colour, marker, style) for style in ("-", "--", ":")
+         for colour, marker in zip(COLOURS, ["o", "s", "^", "D", "v", "P"])]
 UNITS = {"kN_m3": "kN/m³", "kPa": "kPa", "deg": "°", "m_s": "m/s", "1_m": "1/m", "m": "m", "s": "s",
          "g": "g"}
 
@@ -88,9 +89,10 @@ def error_bar(sign):
     return end
 
 
-FACTOR = Quantity("factor", "factor of safety [-]", "bars: from low to high", lambda m: m["low"], lambda m: m["high"], "F")
-DISCHARGE = Quantity("discharge_m2_s", "discharge [m²/s per metre run]", "bars: estimated error", error_bar(-1),
-                     error_bar(1), "discharge_m2_s")
+FACTOR = Quantity("factor", "factor of safety [-]", "bars: from low to high", lambda m: m["low"],
+                  lambda m: m["high"], "F")
+DISCHARGE = Quantity("discharge_m2_s", "discharge [m²/s per metre run]", "bars: estimated error",
+                     error_bar(-1), error_bar(1), "discharge_m2_s")
 
 
 def is_numeric(study, name):
@@ -106,7 +108,7 @@ def by_ratios(values):
 
 
 def axis_of_values(ax, study, name):
-    """The places of the members along x: the values, or the numbers of texts, with these as ticks."""
+    """The place of each value along x: the value, or the number of a text, with texts as ticks."""
     values = [member["values"][name] for member in study["members"]]
     ax.set_xlabel(label(name))
     if is_numeric(study, name):
@@ -119,8 +121,9 @@ def axis_of_values(ax, study, name):
     return {value: i for i, value in enumerate(different)}
 
 
-def draw_family(ax, members, x, quantity, colour, marker, name):
+def draw_family(ax, members, x, quantity, look, name):
     """A curve with bars. A member without an answer breaks the line."""
+    colour, marker, style = look
     line, at, bars = [], [], []
     for member in sorted(members, key=lambda m: x[m["x"]]):
         value = member[quantity.key]
@@ -130,7 +133,7 @@ def draw_family(ax, members, x, quantity, colour, marker, name):
             at.append((x[member["x"]], value))
             bars.append((value - low, high - value))
     if len(line) > 1:
-        ax.plot(*np.array(line).T, color=colour, lw=1.2, zorder=2)
+        ax.plot(*np.array(line).T, style, color=colour, lw=1.2, zorder=2)
     if at:
         ax.errorbar(*np.array(at).T, yerr=np.abs(np.array(bars)).T, fmt=marker, color=colour, ms=6,
                     mec="black", mew=0.5, capsize=4, lw=1.4, zorder=3, label=name)
@@ -169,7 +172,8 @@ def draw_reference(ax, points):
     looks = iter(["D", "s", "^", "v", "P", "*"] * 9)
     for source in dict.fromkeys(point[0] for point in points):
         some = np.array([point[1:] for point in points if point[0] == source])
-        ax.plot(*some.T, next(looks), mfc="none", mec="black", mew=1.3, ms=9, zorder=5, label=source)
+        ax.plot(*some.T, next(looks), mfc="none", mec="black", mew=1.3, ms=9, zorder=5,
+                label=source)
 
 
 def curves_figure(study, directory, quantity):
@@ -190,8 +194,7 @@ def curves_figure(study, directory, quantity):
         names_of_curve = curves.setdefault(curve, ([], members))[0]
         names_of_curve.append(", ".join(short(n, v) for n, v in zip(others, key)) or "berm")
     for i, (names_of_curve, members) in enumerate(curves.values()):
-        draw_family(ax, members, x, quantity, COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)],
-                    "\n".join(names_of_curve))
+        draw_family(ax, members, x, quantity, LOOKS[i % len(LOOKS)], "\n".join(names_of_curve))
     points = read_reference(directory, quantity.reference) if is_numeric(study, x_name) else []
     draw_reference(ax, points)
     values = [m[quantity.key] for m in study["members"] if m[quantity.key]]
@@ -210,7 +213,7 @@ def curves_figure(study, directory, quantity):
 
 
 def tornado_rows(study, quantity):
-    """(name, ends) of each varied key: [(value of the key, result)] at its least and largest result."""
+    """(name, [(value, result)]) of each varied key, at its least and its largest result."""
     rows = []
     for name in study["members"][0]["values"]:
         some = [(m["values"][name], m[quantity.key]) for m in study["members"]
@@ -224,7 +227,7 @@ def tornado_rows(study, quantity):
 
 
 def draw_bars(ax, row, ends, base):
-    """A bar to each side of the base, the key's values at their ends. Values on one side share it."""
+    """A bar to each side of the base, values at their ends; those on one side share the bar."""
     for side, colour in ((-1, ORANGE), (1, BLUE)):
         some = [(value, result) for value, result in ends if (result - base) * side > 0]
         if not some:
@@ -243,7 +246,8 @@ def draw_bars(ax, row, ends, base):
 def tornado_figure(study, quantities):
     """How far each key alone moves each quantity from the base."""
     base_member = study["members"][0]
-    quantities = [q for q in quantities if base_member[q.key] is not None and tornado_rows(study, q)]
+    quantities = [q for q in quantities
+                  if base_member[q.key] is not None and tornado_rows(study, q)]
     if not quantities:
         return None
     count = len(base_member["values"])
@@ -263,7 +267,9 @@ def tornado_figure(study, quantities):
         ax.set_xlabel(quantity.title)
         ax.grid(axis="x", alpha=0.3)
         ax.legend(loc="lower right", fontsize=8)
-    fig.suptitle(f"{study['title']}: one key at a time")
+    missing = sum(m["status"] != "complete" for m in study["members"])
+    fig.suptitle(f"{study['title']}: one key at a time"
+                 + (f" ({missing} members without an answer)" if missing else ""))
     return fig
 
 
@@ -274,7 +280,7 @@ def base_label(study, name):
 
 
 def seepage_results(study, directory):
-    """(member, result.json) of the members with a phreatic line; those that repeat a line left out."""
+    """(member, result.json) of the members with a phreatic line that no earlier one has."""
     found = []
     for member in study["members"]:
         path = directory / member["directory"] / "result.json"
@@ -288,7 +294,7 @@ def seepage_results(study, directory):
 
 
 def phreatic_figure(study, directory):
-    """The phreatic lines of all members on one section, coloured by the first key that is varied."""
+    """The phreatic lines of all members on one section, coloured by the first numeric key."""
     found = seepage_results(study, directory)
     if not found:
         return None
@@ -301,9 +307,8 @@ def phreatic_figure(study, directory):
         values = [member["values"][name] for member in study["members"]]
         norm = (LogNorm if by_ratios(values) else Normalize)(min(values), max(values))
         bar = ScalarMappable(norm, plt.get_cmap("viridis"))
-    looks = [(colour, style) for style in ("-", "--", ":") for colour in COLOURS]
     for i, (member, result) in enumerate(found):
-        colour, style = looks[i % len(looks)]
+        colour, _, style = LOOKS[i % len(LOOKS)]
         text = ", ".join(short(n, member["values"][n]) for n in member["varied"])
         if bar:
             colour, style, text = bar.to_rgba(member["values"][name]), "-", None
