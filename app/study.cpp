@@ -181,9 +181,8 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
   const fs::path directory = options.out.empty() ? default_directory(options.case_path) += "_study"
                                                  : fs::path(options.out);
   const StudyFolder folder(directory);
-  if (options.fresh)
+  if (options.fresh || folder.holds_of_another_build(study))
     folder.clear();
-  folder.refuse_another(study);
   folder.take_reference(options.reference);
   places.run_began = true;
   catch_stop_signals();

@@ -127,6 +127,7 @@ Json study_json(const Study& study)
   const bool all = std::ranges::all_of(study.results, [](const MemberResult& result)
                                        { return result.status == MemberStatus::complete; });
   return {{"berm", version()},
+          {"commit", commit()},
           {"format", 1},
           {"title", study.title},
           {"case", {{"path", study.case_path}, {"overrides", study.overrides}}},

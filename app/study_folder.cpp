@@ -2,6 +2,7 @@
 #include "app/study_folder.h"
 
 #include "app/run_writer.h"
+#include "app/version.h"
 #include "core/error.h"
 
 #include <fcntl.h>
@@ -58,7 +59,7 @@ void StudyFolder::clear() const
       throw IoError(path.string() + ": " + none.message());
 }
 
-void StudyFolder::refuse_another(const Study& study) const
+bool StudyFolder::holds_of_another_build(const Study& study) const
 {
   const std::string text = text_of(directory_ / "study.json");
   const Json stored = text.empty() ? Json(nullptr) : Json::parse(text, nullptr, false);
@@ -70,6 +71,7 @@ void StudyFolder::refuse_another(const Study& study) const
           .problem = fmt::format("holds another study, which differs in {}", fmt::join(list, ", ")),
           .allowed = "the same study, to go on with it",
           .hint = "choose another directory, or --fresh to remove that study"}});
+  return stored.is_object() && stored.value("commit", "") != commit();
 }
 
 void StudyFolder::take_reference(const std::string& path) const

@@ -21,8 +21,9 @@ public:
 
   /// @brief Remove the members and tables of the study that is there. Other files stay.
   void clear() const;
+  /// @brief Whether this study, as another build of berm ran it, is there.
   /// @throws InputError that names what differs, if another study is there.
-  void refuse_another(const Study& study) const;
+  [[nodiscard]] bool holds_of_another_build(const Study& study) const;
   /// @brief Keep a copy of the reference points, or none if `path` is empty.
   void take_reference(const std::string& path) const;
 

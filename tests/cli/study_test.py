@@ -5,6 +5,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import signal
@@ -36,10 +37,12 @@ class Study(BermTest):
         return study
 
     def wait_for(self, what):
+        """Its value, once that is true."""
         deadline = time.monotonic() + 60
-        while not what():
+        while not (value := what()):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
+        return value
 
     def results(self):
         return sorted((self.dir / "out" / "members").glob("*/result.json"))
@@ -115,6 +118,12 @@ class Study(BermTest):
         self.assertIn("2 of them there already", err)
         self.assertEqual(written, [path.stat().st_mtime_ns for path in self.results()])
         self.assertEqual(before, (self.dir / "out" / "study.json").read_bytes())
+        text = (self.dir / "out" / "study.json").read_text()
+        older = re.sub('"commit": "[^"]*"', '"commit": "another"', text)
+        (self.dir / "out" / "study.json").write_text(older)
+        self.study(*vary)  # by another build: run again
+        self.assertNotEqual(written, [path.stat().st_mtime_ns for path in self.results()])
+        before = (self.dir / "out" / "study.json").read_bytes()
         _, err = self.study("--vary", "soil.fill.cohesion_kPa=5,21", "--out", "out", code=2)
         self.assertIn("holds another study, which differs in --vary", err)
         self.assertEqual(before, (self.dir / "out" / "study.json").read_bytes())
@@ -150,8 +159,7 @@ class Study(BermTest):
 
     def test_a_killed_study_takes_its_children_along_and_resumes(self):
         study = self.start_study()
-        self.wait_for(lambda: len(self.results()) >= 2 and self.children(study))
-        children = self.children(study)
+        children = self.wait_for(lambda: len(self.results()) >= 2 and self.children(study))
         study.kill()
         study.wait()
         self.wait_for(lambda: not any(pathlib.Path(f"/proc/{child}/exe").exists()
@@ -166,8 +174,7 @@ class Study(BermTest):
 
     def test_a_killed_member_is_reported_with_its_signal(self):
         study = self.start_study()
-        self.wait_for(lambda: self.children(study))
-        os.kill(self.children(study)[0], signal.SIGKILL)
+        os.kill(self.wait_for(lambda: self.children(study))[0], signal.SIGKILL)
         out, err = study.communicate(timeout=60)
         self.assertEqual(study.returncode, 3, out + err)
         statuses = [row["status"] for row in self.table("out")]
@@ -176,8 +183,7 @@ class Study(BermTest):
 
     def test_an_interrupted_study_stops_its_children_and_leaves_its_table(self):
         study = self.start_study(spacing=0.7)
-        self.wait_for(lambda: self.results() and self.children(study))
-        children = self.children(study)
+        children = self.wait_for(lambda: self.results() and self.children(study))
         study.send_signal(signal.SIGINT)
         out, err = study.communicate(timeout=30)
         self.assertEqual(study.returncode, 3, out + err)
