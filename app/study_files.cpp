@@ -142,7 +142,7 @@ std::string study_csv(const Study& study)
 {
   std::string text = "directory";
   for (const Variation& variation : study.variations)
-    text += "," + quoted(variation.name());
+    text.append(",").append(quoted(variation.name()));
   for (const ResultColumn& column : result_columns())
     text += std::string(",") + column.name;
   text += ",mechanism,complete,status,reason\n";
@@ -151,7 +151,7 @@ std::string study_csv(const Study& study)
     const MemberResult& result = study.results[m];
     text += study.members[m].folder;
     for (const std::string& value : study.members[m].values)
-      text += "," + quoted(value);
+      text.append(",").append(quoted(value));
     for (const ResultColumn& column : result_columns())
     {
       const auto& value = result.*column.value;
