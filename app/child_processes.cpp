@@ -24,16 +24,17 @@ namespace
 constexpr const char* parent_variable = "BERM_PARENT"; // the parent's process id
 
 /// This process's environment for a child: one thread, its parent's id, and nothing of a launcher
-/// whose process the child is not.
+/// (mpirun, srun) whose process the child is not.
 std::vector<std::string> child_environment()
 {
+  const bool launched = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; // else OMPI_ is the user's
   std::vector<std::string> list;
   for (char** entry = environ; *entry != nullptr; ++entry)
   {
     const std::string_view text(*entry);
     const auto is = [&](std::string_view start) { return text.starts_with(start); };
     if (!is("OMP_NUM_THREADS=") && !is("BERM_PARENT=") && !is("PMI_") && !is("PMIX_") &&
-        !is("OMPI_COMM_"))
+        !(launched && is("OMPI_")))
       list.emplace_back(text);
   }
   list.emplace_back("OMP_NUM_THREADS=1");

@@ -202,9 +202,11 @@ class Study(BermTest):
         study.communicate(timeout=30)
 
     @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
-    def test_a_study_is_not_for_mpirun(self):
+    def test_a_study_is_for_one_process_which_mpirun_may_start(self):
         _, err = self.mpirun(2, "study", DRY, "--vary", "soil.fill.cohesion_kPa=5", code=2)
         self.assertIn("--jobs", err)
+        self.mpirun(1, "study", CASES / "seepage.toml", "--seepage", "--vary",
+                    "water.left_level_m=20", "--set", "seepage.adaptive=false", *NO_FIGURES)
 
     @unittest.skipUnless(HAS_SEEPAGE, "no seepage stage")
     def test_a_study_of_the_seepage_alone_scales_with_the_conductivity(self):
