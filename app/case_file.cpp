@@ -25,28 +25,6 @@ using coupling::PorePressureKind;
 
 constexpr double radians = pi / 180;
 
-std::string read_text(const std::string& path)
-{
-  constexpr std::size_t most = 16'000'000; // bytes; a case has thousands
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw IoError(path + ": is a directory, not a case file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw IoError(path + ": cannot be opened");
-  std::string text;
-  std::vector<char> block(65536);
-  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
-  {
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most)
-      throw IoError(path + ": is larger than 16 MB; not a case file");
-  }
-  if (file.bad())
-    throw IoError(path + ": cannot be read");
-  return text;
-}
-
 /// From checked values to a Case; rules that concern more than one key.
 class Assembler
 {
@@ -582,9 +560,31 @@ private:
 };
 } // namespace
 
+std::string read_case_text(const std::string& path)
+{
+  constexpr std::size_t most = 16'000'000; // bytes; a case has thousands
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw IoError(path + ": is a directory, not a case file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw IoError(path + ": cannot be opened");
+  std::string text;
+  std::vector<char> block(65536);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
+  {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most)
+      throw IoError(path + ": is larger than 16 MB; not a case file");
+  }
+  if (file.bad())
+    throw IoError(path + ": cannot be read");
+  return text;
+}
+
 coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
 {
-  const std::string text = read_text(path);
+  const std::string text = read_case_text(path);
   TomlValue document = parse_toml(text, path, places);
   std::vector<Mistake> mistakes = apply_overrides(document, options.overrides, places);
   const CheckedValues values = check_values(document, places, mistakes);

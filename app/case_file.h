@@ -16,6 +16,10 @@ struct ReadOptions
   bool seepage_only = false;          ///< `berm seepage`: that stage, whatever the file asks for
 };
 
+/// @brief The bytes of a case file.
+/// @throws IoError if it cannot be read, or is far too large for one.
+[[nodiscard]] std::string read_case_text(const std::string& path);
+
 /// @brief Read and check a case file; SI and radians from here on.
 /// @param[in]  path    The file; "cases/dam.toml".
 /// @param[out] places  Place of every key, for the messages of this and of later stages.

@@ -70,6 +70,10 @@ struct Key
 /// @brief What a key's value may be, one clause, e.g. "0 <= friction_angle_deg < 90".
 [[nodiscard]] std::string allowed_text(const Key& key);
 
+/// @brief The key table as a JSON Schema (draft 7), for editors that complete and check TOML.
+/// Rules that concern more than one key, and names of soils, are beyond it.
+[[nodiscard]] std::string case_json_schema();
+
 /// @brief The key table as the Markdown page docs/case_reference.md.
 [[nodiscard]] std::string case_reference();
 } // namespace berm::app

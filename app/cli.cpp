@@ -3,6 +3,8 @@
 
 #include "app/case_file.h"
 #include "app/case_schema.h"
+#include "app/case_templates.h"
+#include "app/cli_pages.h"
 #include "app/comparison_files.h"
 #include "app/console.h"
 #include "app/figures.h"
@@ -11,6 +13,7 @@
 #include "app/report.h"
 #include "app/result_json.h"
 #include "app/run_writer.h"
+#include "app/study.h"
 #include "app/version.h"
 
 #include <CLI/CLI.hpp>
@@ -170,6 +173,58 @@ void add_run_options(CLI::App& command, RunOptions& options)
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
 }
+
+void add_init_options(CLI::App& command, std::string& name, std::string& kind)
+{
+  command.add_option("NAME", name, "The case: NAME.toml, which must not be there")->required();
+  std::vector<std::string> kinds;
+  for (const CaseTemplate& one : case_templates())
+    kinds.emplace_back(one.name);
+  command.add_option("--template", kind, "What to begin with [embankment]")
+      ->check(CLI::IsMember(kinds));
+}
+
+void add_study_options(CLI::App& command, StudyOptions& options)
+{
+  command
+      .add_option("CASE", options.case_path, "Case file (TOML); `berm reference` lists its keys")
+      ->required();
+  const auto texts = [&](const char* name, std::vector<std::string>& list, const char* what)
+  { return command.add_option(name, list, what)->type_name("KEY=VALUE")->allow_extra_args(false); };
+  texts(
+      "--vary", options.vary,
+      "Values of a key: a,b,c or from:to:count or from:to:count:log; may be repeated. A value may "
+      "be any TOML; KEY+KEY=... gives several keys the same value")
+      ->type_name("KEY=VALUES")
+      ->required();
+  texts("--set", options.overrides, "Replace or add a key of the case file; may be repeated");
+  CLI::Option* pairs = command.add_flag_callback(
+      "--pairs", [&] { options.design = Design::pairs; },
+      "The first values of all keys, the second ones, ... in place of every combination");
+  command
+      .add_flag_callback(
+          "--one-at-a-time", [&] { options.design = Design::one_at_a_time; },
+          "The case as it is, then each value of one key alone")
+      ->excludes(pairs);
+  command.add_flag("--seepage", options.seepage_only, "The seepage stage alone");
+  command
+      .add_option(
+          "--out", options.out,
+          "Directory for the results [results/<case's folder>_<case's name>_study]; a study "
+          "that is there goes on")
+      ->type_name("DIR");
+  command.add_flag("--fresh", options.fresh, "Remove the study that is there, and begin anew");
+  command.add_option("--jobs", options.jobs, "Members at a time, a thread each [all processors]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option(
+          "--reference", options.reference,
+          "CSV with columns x, F or discharge_m2_s, source: points to draw over the results")
+      ->type_name("FILE");
+  command.add_flag("--check", options.check, "Check and list the members; run nothing");
+  command.add_flag("--quiet", options.quiet, "Print mistakes and errors only");
+}
 } // namespace
 
 int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
@@ -193,10 +248,26 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   add_run_options(*compare, options);
   compare->get_option("--out")->description(
       "Directory for the results [results/<case's folder>_<case's name>_compared]");
+  StudyOptions study_options;
+  CLI::App* study = app.add_subcommand("study", "Run a case for many values of its keys");
+  add_study_options(*study, study_options);
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
   add_case_options(*check, options);
-  CLI::App* reference =
-      app.add_subcommand("reference", "Print the table of case file keys (Markdown)");
+  std::string new_case, kind = "embankment", format = "md";
+  CLI::App* init = app.add_subcommand("init", "Write a commented case file to begin with");
+  add_init_options(*init, new_case, kind);
+  CLI::App* reference = app.add_subcommand("reference", "Print the table of case file keys");
+  reference
+      ->add_option(
+          "--format", format,
+          "md: a Markdown page; json-schema: for editors that complete and check TOML [md]")
+      ->check(CLI::IsMember({"md", "json-schema"}));
+  CLI::App* completion =
+      app.add_subcommand("completion", "Print a script that completes this command line");
+  std::string shell;
+  completion->add_option("SHELL", shell, "The shell")->required()->check(CLI::IsMember({"bash"}));
+  CLI::App* man =
+      app.add_subcommand("man", "Print the manual page; read it by  berm man | man -l -");
   CLI::App* print_version =
       app.add_subcommand("version", "Print version, commit, compiler and libraries");
 
@@ -215,10 +286,21 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
     code = run_case(options, places);
   else if (compare->parsed())
     code = compare_case(options, places);
+  else if (init->parsed())
+  {
+    const std::string path = write_template(new_case, kind).string();
+    std::cout << path << " is written. Next:  berm check " << path << "\n";
+  }
+  else if (study->parsed())
+    code = run_study(study_options, places);
   else if (check->parsed())
     code = check_case(options, places);
   else if (reference->parsed())
-    std::cout << case_reference();
+    std::cout << (format == "md" ? case_reference() : case_json_schema());
+  else if (completion->parsed())
+    std::cout << bash_completion(app);
+  else if (man->parsed())
+    std::cout << man_page(app);
   else if (print_version->parsed())
     std::cout << version_text();
   else

@@ -52,4 +52,9 @@ std::string draw_comparison(const std::filesystem::path& directory)
 {
   return draw(std::filesystem::path(BERM_FIGURES).replace_filename("comparison.py"), directory);
 }
+
+std::string draw_study(const std::filesystem::path& directory)
+{
+  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("study.py"), directory);
+}
 } // namespace berm::app

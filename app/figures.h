@@ -13,4 +13,7 @@ namespace berm::app
 
 /// @brief Draw comparison.png beside comparison.json (docs/plots/comparison.py). Returns likewise.
 [[nodiscard]] std::string draw_comparison(const std::filesystem::path& directory);
+
+/// @brief Draw the figures of a study beside study.json (docs/plots/study.py). Returns likewise.
+[[nodiscard]] std::string draw_study(const std::filesystem::path& directory);
 } // namespace berm::app

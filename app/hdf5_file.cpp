@@ -88,6 +88,25 @@ void Hdf5File::write(const std::string& path, std::span<const std::int32_t> valu
   write_any(path, values.data(), values.size(), columns, H5T_STD_I32LE, H5T_NATIVE_INT32, label);
 }
 
+void Hdf5File::write(const std::string& path, const std::vector<std::string>& texts,
+                     const Label& label)
+{
+  std::size_t length = 1;
+  for (const std::string& text : texts)
+    length = std::max(length, text.size());
+  std::string block;
+  for (std::string text : texts)
+  {
+    text.resize(length);
+    block += text;
+  }
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), length);
+  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  write_any(path, block.data(), texts.size(), 1, type.id(), type.id(), label);
+}
+
 void Hdf5File::write_any(const std::string& path, const void* values, std::size_t count,
                          std::size_t columns, std::int64_t stored, std::int64_t in_memory,
                          const Label& label)

@@ -31,6 +31,9 @@ public:
   void write(const std::string& path, std::span<const std::int32_t> values, std::size_t columns,
              const Label& label);
 
+  /// @brief Write texts, UTF-8, each as long as the longest.
+  void write(const std::string& path, const std::vector<std::string>& texts, const Label& label);
+
   /// @brief Attach a number or a text to a group or, with path "/", to the file.
   void attribute(const std::string& path, const char* name, double value);
   void attribute(const std::string& path, const char* name, const std::string& value);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/child_processes.h"
 #include "app/cli.h"
 #include "app/process_team.h"
 #include "app/threads.h"
@@ -21,6 +22,7 @@ int fail(int code, const char* what, const char* text)
 int main(int argc, char** argv)
 {
   berm::app::wait_passively(argv);
+  berm::app::end_with_parent();
   berm::app::KeyPlaces places;
   try
   {

@@ -21,7 +21,7 @@ std::string printable(std::string text)
   return text;
 }
 
-std::string describe(Mistake m, const std::string& place)
+std::string text_of(Mistake m, const std::string& place)
 {
   m.key = printable(std::move(m.key));
   m.value = printable(std::move(m.value));
@@ -86,7 +86,7 @@ std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& plac
   for (const Mistake& m : mistakes)
   {
     const KeyPlaces::Place place = places.find(m.key);
-    texts.emplace_back(place.order, describe(m, printable(place.text)));
+    texts.emplace_back(place.order, text_of(m, printable(place.text)));
   }
   std::stable_sort(texts.begin(), texts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -95,6 +95,11 @@ std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& plac
     all += text;
   return all + fmt::format("{} {}; {}.\n", texts.size(), texts.size() == 1 ? "mistake" : "mistakes",
                            places.run_began ? "the run was given up" : "nothing was run");
+}
+
+std::string describe_one(const Mistake& mistake, const KeyPlaces& places)
+{
+  return text_of(mistake, printable(places.find(mistake.key).text));
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates)

@@ -43,6 +43,9 @@ inline constexpr std::string_view missing_key = "missing key";
 /// last.
 [[nodiscard]] std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& places);
 
+/// @brief One mistake likewise, without a count.
+[[nodiscard]] std::string describe_one(const Mistake& mistake, const KeyPlaces& places);
+
 /// @brief The candidate nearest to a mistyped word by edit distance; empty if none is near.
 [[nodiscard]] std::string_view nearest(std::string_view word,
                                        const std::vector<std::string_view>& candidates);

@@ -279,6 +279,30 @@ std::vector<Mistake> apply_overrides(TomlValue& document, const std::vector<std:
   return mistakes;
 }
 
+const TomlValue* find_value(const TomlValue& document, std::string_view path)
+{
+  const TomlValue* at = &document;
+  for (const Step& step : parse_path(path).value_or(std::vector<Step>{}))
+  {
+    if (step.element > 0)
+    {
+      const auto* array = at->array();
+      if (array == nullptr || step.element > array->size())
+        return nullptr;
+      at = &(*array)[step.element - 1];
+      continue;
+    }
+    const auto* table = at->table();
+    if (table == nullptr)
+      return nullptr;
+    const auto it = std::ranges::find(*table, step.key, &TomlValue::Table::value_type::first);
+    if (it == table->end())
+      return nullptr;
+    at = &it->second;
+  }
+  return at == &document ? nullptr : at;
+}
+
 std::string toml_text(const TomlValue& value)
 {
   constexpr std::size_t most = 60;

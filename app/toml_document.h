@@ -45,6 +45,9 @@ struct TomlValue
 [[nodiscard]] std::vector<Mistake>
 apply_overrides(TomlValue& document, const std::vector<std::string>& overrides, KeyPlaces& places);
 
+/// @brief The value at a path as --set has it; null if there is none.
+[[nodiscard]] const TomlValue* find_value(const TomlValue& document, std::string_view path);
+
 /// @brief The value on one line as TOML, cut off after some 60 characters.
 [[nodiscard]] std::string toml_text(const TomlValue& value);
 } // namespace berm::app

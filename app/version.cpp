@@ -3,8 +3,6 @@
 
 #include "git_describe.h"
 
-#include <string_view>
-
 namespace berm::app
 {
 std::string version()
@@ -21,11 +19,15 @@ bool seepage_built_in()
 #endif
 }
 
+std::string commit()
+{
+  return BERM_GIT_DESCRIBE;
+}
+
 std::string version_text()
 {
-  constexpr std::string_view commit = BERM_GIT_DESCRIBE;
   std::string text = "berm " + version() + "\n";
-  text += "commit    : " + std::string(commit.empty() ? "unknown" : commit) + "\n";
+  text += "commit    : " + (commit().empty() ? "unknown" : commit()) + "\n";
 #ifdef __clang__
   text += "compiler  : Clang " __clang_version__ "\n";
 #else

@@ -8,6 +8,9 @@ namespace berm::app
 /// @brief The program's version, e.g. "0.1.0".
 [[nodiscard]] std::string version();
 
+/// @brief The commit that was built, as `git describe` calls it; empty if that is unknown.
+[[nodiscard]] std::string commit();
+
 /// @brief Version, commit, compiler and libraries, a line each: what a bug report needs.
 [[nodiscard]] std::string version_text();
 

@@ -2,63 +2,19 @@
 """The command line: exit codes, messages, files. Environment: BERM (the program), BERM_SOURCE."""
 
 import json
-import os
 import pathlib
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree
 
-BERM = os.environ["BERM"]
-SOURCE = pathlib.Path(os.environ["BERM_SOURCE"])
-HAS_SEEPAGE = os.environ.get("BERM_HAS_SEEPAGE", "ON").upper() in ("ON", "1", "TRUE")
-CAN_PLOT = os.environ.get("BERM_PLOTS") == "1"
-CASES = SOURCE / "cases" / "two_sided_embankment"
-DRY = str(CASES / "dry.toml")
-# Coarse: seconds, not an answer to rely on.
-COARSE = ["--set", "sph.spacing_m=3", "--set", "stability.tolerance=0.2"]
-NO_FIGURES = ["--set", "output.figures=false"]
+from berm_cli import (BERM, CAN_PLOT, CASES, COARSE, DRY, HAS_SEEPAGE, NO_FIGURES, SOURCE, BermTest,
+                      without_times)
 
 
-def without_times(value):
-    """result.json without what a repeated run may change."""
-    if isinstance(value, dict):
-        kept = {k: v for k, v in value.items() if k not in ("seconds", "performance")}
-        return {k: without_times(v) for k, v in kept.items()}
-    if isinstance(value, list):
-        return [without_times(v) for v in value]
-    return value
-
-
-class Cli(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.dir = pathlib.Path(scratch.name)
-
-    def berm(self, *arguments, code=0):
-        """Run in the scratch directory; stdout and stderr, after a look at the exit code."""
-        command = [BERM, *map(str, arguments)]
-        done = subprocess.run(command, cwd=self.dir, text=True, capture_output=True, check=False)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout, done.stderr
-
-    def write(self, text, name="case.toml"):
-        path = self.dir / name
-        path.write_bytes(text if isinstance(text, bytes) else text.encode())
-        return path.name
-
-    def result(self, directory):
-        return json.loads((self.dir / directory / "result.json").read_text())
-
-    def run_out(self, directory, *more, code=0):
-        shake = ["--set", "runout.shake_g=0.5", "--set", "runout.shake_duration_s=1"]
-        return self.berm("run", DRY, "--out", directory, "--set", "stability.enabled=false",
-                         "--set", "runout.factor=3", *shake, *COARSE, *more, code=code)
-
+class Cli(BermTest):
     def test_a_run_out_writes_frames_a_report_and_comes_to_rest(self):
         out, _ = self.run_out("out", *NO_FIGURES)
         self.assertIn("at rest since", out)
@@ -259,15 +215,6 @@ class Cli(unittest.TestCase):
             self.assertEqual(*fields)
         self.assertEqual(results[0], results[1])
         self.assertEqual(results[0], results[2])
-
-    def mpirun(self, ranks, *arguments, code=0):
-        """As `berm`, in a team. Any user, more ranks than processors."""
-        allow = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        command = ["mpirun", "--oversubscribe", "-n", str(ranks), BERM, *map(str, arguments)]
-        done = subprocess.run(command, cwd=self.dir, text=True, capture_output=True, check=False,
-                              env=os.environ | allow)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout, done.stderr
 
     @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
     def test_a_team_gives_the_result_of_one_and_speaks_with_one_voice(self):

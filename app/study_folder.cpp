@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study_folder.h"
+
+#include "app/run_writer.h"
+#include "app/version.h"
+#include "core/error.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace berm::app
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+} // namespace
+
+StudyFolder::StudyFolder(const fs::path& directory) : directory_(directory)
+{
+  prepare_directory(directory_);
+  handle_ = open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    close(handle_);
+    throw IoError(directory_.string() + ": another study runs in this directory");
+  }
+}
+
+StudyFolder::~StudyFolder()
+{
+  if (handle_ >= 0)
+    close(handle_);
+}
+
+void StudyFolder::clear() const
+{
+  std::error_code none;
+  std::vector<fs::path> old{directory_ / "study.json", directory_ / "study.csv",
+                            directory_ / "study.h5", directory_ / "case.toml"};
+  for (const auto& entry : fs::directory_iterator(directory_ / "members", none))
+    if (std::isdigit(static_cast<unsigned char>(entry.path().filename().string().front())) != 0)
+      old.push_back(entry.path());
+  for (const fs::path& path : old)
+    if (fs::remove_all(path, none); none)
+      throw IoError(path.string() + ": " + none.message());
+}
+
+bool StudyFolder::holds_of_another_build(const Study& study) const
+{
+  const std::string text = text_of(directory_ / "study.json");
+  const Json stored = text.empty() ? Json(nullptr) : Json::parse(text, nullptr, false);
+  const auto list = differences(study, stored, text_of(directory_ / "case.toml"));
+  if (!list.empty())
+    throw InputError(
+        {{.key = "--out",
+          .value = directory_.string(),
+          .problem = fmt::format("holds another study, which differs in {}", fmt::join(list, ", ")),
+          .allowed = "the same study, to go on with it",
+          .hint = "choose another directory, or --fresh to remove that study"}});
+  return stored.is_object() && stored.value("commit", "") != commit();
+}
+
+void StudyFolder::take_reference(const std::string& path) const
+{
+  const fs::path copy = directory_ / "reference.csv";
+  std::error_code none;
+  if (path.empty())
+    fs::remove(copy, none);
+  else if (!fs::equivalent(path, copy, none))
+    write_aside(copy, text_of(path));
+}
+} // namespace berm::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/study_files.h"
+
+#include <filesystem>
+#include <string>
+
+namespace berm::app
+{
+/// The directory of a study, which no other process works in meanwhile.
+class StudyFolder
+{
+public:
+  /// @brief Make the directory if it is not there, and lock it.
+  /// @throws IoError if that fails, or if another study runs there.
+  explicit StudyFolder(const std::filesystem::path& directory);
+  StudyFolder(const StudyFolder&) = delete;
+  StudyFolder& operator=(const StudyFolder&) = delete;
+  ~StudyFolder();
+
+  /// @brief Remove the members and tables of the study that is there. Other files stay.
+  void clear() const;
+  /// @brief Whether this study, as another build of berm ran it, is there.
+  /// @throws InputError that names what differs, if another study is there.
+  [[nodiscard]] bool holds_of_another_build(const Study& study) const;
+  /// @brief Keep a copy of the reference points, or none if `path` is empty.
+  void take_reference(const std::string& path) const;
+
+private:
+  std::filesystem::path directory_;
+  int handle_ = -1;
+};
+} // namespace berm::app
