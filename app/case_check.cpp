@@ -401,4 +401,11 @@ CheckedValues check_values(const TomlValue& document, KeyPlaces& places,
                                        [](const auto& entry) { return entry.first == "runout"; });
   return std::move(checker.values);
 }
+
+bool was_given(const CheckedValues& values, const std::vector<Mistake>& mistakes,
+               const std::string& path)
+{
+  return values.has(path) ||
+         std::ranges::any_of(mistakes, [&](const Mistake& m) { return m.key == path; });
+}
 } // namespace berm::app

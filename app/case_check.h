@@ -56,4 +56,8 @@ private:
 /// @param[in,out] mistakes  Gains every mistake; what is wrong is left out of the result.
 [[nodiscard]] CheckedValues check_values(const TomlValue& document, KeyPlaces& places,
                                          std::vector<Mistake>& mistakes);
+
+/// @brief Whether a key was given, be it right or wrong: a wrong value is reported already.
+[[nodiscard]] bool was_given(const CheckedValues& values, const std::vector<Mistake>& mistakes,
+                             const std::string& path);
 } // namespace berm::app

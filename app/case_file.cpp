@@ -4,6 +4,7 @@
 #include "app/case_check.h"
 #include "app/case_lines.h"
 #include "app/case_mesh_file.h"
+#include "app/case_soils.h"
 #include "app/toml_document.h"
 #include "app/version.h"
 #include "meshes/drawing.h"
@@ -23,8 +24,6 @@ namespace
 {
 using coupling::PorePressureKind;
 
-constexpr double radians = pi / 180;
-
 /// From checked values to a Case; rules that concern more than one key.
 class Assembler
 {
@@ -39,7 +38,8 @@ public:
   coupling::Case assemble()
   {
     assemble_water();
-    assemble_soils();
+    case_.soils =
+        assemble_soils(values_, case_.water.pore_pressure == PorePressureKind::seepage, mistakes_);
     assemble_section();
     assemble_boundaries();
     assemble_settings();
@@ -89,90 +89,6 @@ private:
            .problem = "there is no water",
            .hint = "give water.free_surface_m, or a pool by water.left_level_m or "
                    "water.right_level_m"});
-  }
-
-  void assemble_soils()
-  {
-    const bool seepage = case_.water.pore_pressure == PorePressureKind::seepage;
-    for (const std::string& name : values_.soils)
-    {
-      const std::string at = "soil." + name + ".";
-      const auto si = [&](const char* key, double factor)
-      { return number(at + key, NAN) * factor; };
-      coupling::Soil soil;
-      soil.name = name;
-      auto& m = soil.mechanical;
-      m.density = si("unit_weight_kN_m3", 1e3 / gravity);
-      m.saturated_density =
-          number(at + "saturated_unit_weight_kN_m3", m.density * gravity / 1e3) * 1e3 / gravity;
-      if (!values_.has(at + "saturated_unit_weight_kN_m3"))
-        m.saturated_density = m.density;
-      m.cohesion = si("cohesion_kPa", 1e3);
-      m.friction_angle = si("friction_angle_deg", radians);
-      m.dilation_angle = si("dilation_angle_deg", radians);
-      m.young_modulus = si("young_modulus_kPa", 1e3);
-      m.poisson_ratio = si("poisson_ratio", 1);
-      m.tensile_strength = number(at + "tensile_strength_kPa", INFINITY) * 1e3;
-      check_soil(at, m);
-      const seepage::Retention retention = assemble_retention(at + "retention.");
-      if (const auto k = values_.get<std::vector<double>>(at + "conductivity_m_s"))
-        soil.conductivity = seepage::Conductivity{(*k)[0], (*k)[1],
-                                                  si("conductivity_angle_deg", radians), retention};
-      else if (seepage && !given(at + "conductivity_m_s"))
-        add({.key = at + "conductivity_m_s",
-             .problem = std::string(missing_key),
-             .hint = "every soil needs one where the pore pressure comes from a seepage solve"});
-      case_.soils.push_back(std::move(soil));
-    }
-  }
-
-  seepage::Retention assemble_retention(const std::string& at)
-  {
-    using enum seepage::RetentionModel;
-    constexpr double bounded_from = 2, air_entry = 0.02; // n [-] and [m], docs/theory.md eq. (2.43)
-    const auto model = values_.get<std::string>(at + "model");
-    if (!model) // wrong: reported already
-      return {};
-    seepage::Retention retention;
-    retention.model = *model == "gardner"         ? gardner
-                      : *model == "van_genuchten" ? van_genuchten
-                                                  : sharp;
-    const auto belongs = [&](const char* key, bool wanted, bool required)
-    {
-      if (wanted && required && !given(at + key))
-        add({.key = at + key,
-             .problem = std::string(missing_key),
-             .hint = fmt::format("model = \"{}\" needs it", *model)});
-      else if (!wanted && given(at + key))
-        add({.key = at + key,
-             .value = fmt::format("{}", number(at + key, NAN)),
-             .problem = fmt::format("model = \"{}\" has none", *model),
-             .hint = "see soil.*.retention.model in `berm reference`"});
-    };
-    const bool has_curve = retention.model == van_genuchten;
-    belongs("alpha_1_m", retention.model != sharp, true);
-    belongs("van_genuchten_n", has_curve, true);
-    belongs("mualem_l", has_curve, false);
-    belongs("air_entry_m", has_curve, false);
-    retention.alpha = number(at + "alpha_1_m", 0);
-    retention.n = number(at + "van_genuchten_n", 0);
-    retention.l = number(at + "mualem_l", retention.l);
-    retention.air_entry = number(at + "air_entry_m", retention.n < bounded_from ? air_entry : 0);
-    return retention;
-  }
-
-  void check_soil(const std::string& at, const sph::Soil& m)
-  {
-    if (m.dilation_angle > m.friction_angle)
-      add({.key = at + "dilation_angle_deg",
-           .value = fmt::format("{}", number(at + "dilation_angle_deg", 0)),
-           .allowed = fmt::format("0 <= dilation_angle_deg <= friction_angle_deg = {}",
-                                  number(at + "friction_angle_deg", 0))});
-    if (m.saturated_density < m.density)
-      add({.key = at + "saturated_unit_weight_kN_m3",
-           .value = fmt::format("{}", number(at + "saturated_unit_weight_kN_m3", 0)),
-           .allowed = fmt::format("saturated_unit_weight_kN_m3 >= unit_weight_kN_m3 = {}",
-                                  number(at + "unit_weight_kN_m3", 0))});
   }
 
   void assemble_section()
@@ -544,12 +460,7 @@ private:
                "[[seepage.boundary]] of kind = \"head\", \"inflow\" or \"rain\""});
   }
 
-  /// Given, be it right or wrong: a wrong value is reported already.
-  bool given(const std::string& path) const
-  {
-    return values_.has(path) || std::any_of(mistakes_.begin(), mistakes_.end(),
-                                            [&](const Mistake& m) { return m.key == path; });
-  }
+  bool given(const std::string& path) const { return was_given(values_, mistakes_, path); }
 
   const CheckedValues& values_;
   std::filesystem::path folder_;           ///< of the case file

@@ -13,7 +13,7 @@
 #include "app/report.h"
 #include "app/result_json.h"
 #include "app/run_writer.h"
-#include "app/study.h"
+#include "app/study/study.h"
 #include "app/version.h"
 
 #include <CLI/CLI.hpp>

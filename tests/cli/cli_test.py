@@ -266,6 +266,37 @@ class Cli(BermTest):
         self.assertIn("no/such/folder.log", error)
         self.assertFalse((self.dir / "results/two_sided_embankment_dry/result.json").exists())
 
+    @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
+    def test_a_section_comes_from_gmsh_and_goes_back_to_it(self):
+        case = SOURCE / "cases" / "gmsh_dam" / "steady.toml"
+        coarse = ["--set", "seepage.tolerance=1e-2", *NO_FIGURES]
+        self.berm("seepage", case, *coarse, "--set", "output.msh=true", "--out", "drawn")
+        drawn = self.result("drawn")
+        self.assertAlmostEqual(drawn["section"]["area_m2"], 1060, places=6)
+        text = case.read_text(encoding="utf-8").replace("dam.geo", "drawn/mesh.msh")
+        self.write(text.replace("blanket", "marked_1"))  # as its stretch is called
+        self.berm("seepage", "case.toml", *coarse, "--out", "meshed")
+        meshed = self.result("meshed")
+        self.assertEqual(meshed["section"]["outline_m"], drawn["section"]["outline_m"])
+        self.assertAlmostEqual(meshed["seepage"]["discharge_m2_s"],
+                               drawn["seepage"]["discharge_m2_s"], delta=1e-12)
+
+    @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
+    def test_mistakes_of_a_mesh_file_are_told_with_those_of_the_case(self):
+        text = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
+        self.write((SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8"),
+                   "dam.geo")
+        self.write(text.replace("soil.core", "soil.kern").replace('"blanket"', '"carpet"'))
+        error = self.berm("check", "case.toml", code=2)[1]
+        self.assertIn('"core": a physical surface has this name, but no soil has', error)
+        self.assertIn("no such physical curve", error)
+        self.assertIn("blanket", error)
+        for path, message in (("../dam.geo", "leads out"), ("none.geo", "no such file"),
+                              ("case.toml", "a .geo or .msh")):
+            error = self.berm("check", "case.toml", "--set", f'section.mesh_file="{path}"',
+                              code=2)[1]
+            self.assertIn(message, error)
+
     def start_and_wait_for_trials(self):
         """A run that is in its strength reduction."""
         fine = ["--set", "sph.spacing_m=0.5"]

@@ -21,6 +21,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"section.ground_m", "[[0, 8], [6, 10], [12, 10], [32, 0], [40, 0]]"},
     {"section.base_m", "-5"},
     {"section.outline_m", "[[0, 0], [40, 0], [12, 10], [0, 8]]"},
+    {"section.mesh_file", "\"dam.geo\""},
     {"section.zone[].soil", "\"fill\""},
     {"section.zone[].polygon_m", "[[0, 0], [10, 0], [10, 8]]"},
     {"soil.*.unit_weight_kN_m3", "19"},
@@ -43,6 +44,7 @@ const std::map<std::string, std::string, std::less<>> sound_values = {
     {"water.right_level_m", "3"},
     {"water.free_surface_m", "[[0, 8], [40, -1]]"},
     {"seepage.boundary[].line_m", "[[40, -5], [40, 0]]"},
+    {"seepage.boundary[].curve", "\"drain\""},
     {"seepage.boundary[].kind", "\"head\""},
     {"seepage.boundary[].value", "1"},
     {"seepage.rain_m_s", "1e-8"},
@@ -109,6 +111,15 @@ struct Written
   int line = 0; ///< of the key in question
 };
 
+/// Whether a case gives one key in place of another.
+bool replaces(std::string_view key, std::string_view other)
+{
+  const bool ground = other == "section.ground_m" || other == "section.base_m";
+  return (key == "section.outline_m" && ground) ||
+         (key == "section.mesh_file" && (ground || other.starts_with("section.zone"))) ||
+         (key == "seepage.boundary[].curve" && other == "seepage.boundary[].line_m");
+}
+
 /// The case of `sound_values` with one key given another value, or left out if that is empty.
 Written write_case(std::string_view key, const std::string& value)
 {
@@ -117,11 +128,11 @@ Written write_case(std::string_view key, const std::string& value)
   int line = 0;
   for (const Key& k : keys())
   {
-    // Either outline_m, or ground_m and base_m: where the one is in question, the others are not
-    // there.
-    const bool outline = k.path == "section.outline_m";
-    const bool drawn = k.path == "section.ground_m" || k.path == "section.base_m";
-    if ((outline && key != k.path) || (drawn && key == "section.outline_m"))
+    // One way to draw the section, one to draw a boundary: where another is in question, it takes
+    // the place of the usual one.
+    const bool unusual = k.path == "section.outline_m" || k.path == "section.mesh_file" ||
+                         k.path == "seepage.boundary[].curve";
+    if ((unusual && key != k.path) || replaces(key, k.path))
       continue;
     if (header(k.path) != table)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_files.h"
+#include "app/study/files.h"
 #include "app/version.h"
 
 #include <gtest/gtest.h>

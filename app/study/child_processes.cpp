@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/child_processes.h"
+#include "app/study/child_processes.h"
 
 #include "app/cli.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/study_files.h"
+#include "app/study/files.h"
 
 #include <string>
 

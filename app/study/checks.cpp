@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_checks.h"
+#include "app/study/checks.h"
 
 #include "app/case_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_folder.h"
+#include "app/study/folder.h"
 
 #include "app/run_writer.h"
 #include "app/version.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/study_variation.h"
+#include "app/study/variation.h"
 
 #include <string>
 #include <string_view>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/child_processes.h"
 #include "app/result_json.h"
-#include "app/study_design.h"
+#include "app/study/child_processes.h"
+#include "app/study/design.h"
 
 #include <filesystem>
 #include <optional>

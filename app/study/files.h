@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/result_json.h"
-#include "app/study_design.h"
-#include "app/study_result.h"
+#include "app/study/design.h"
+#include "app/study/result.h"
 
 #include <filesystem>
 #include <string>

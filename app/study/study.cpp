@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study.h"
+#include "app/study/study.h"
 
 #include "app/case_file.h"
-#include "app/child_processes.h"
 #include "app/cli.h"
 #include "app/console.h"
 #include "app/figures.h"
 #include "app/process_team.h"
 #include "app/run_writer.h"
-#include "app/study_checks.h"
-#include "app/study_files.h"
-#include "app/study_folder.h"
+#include "app/study/checks.h"
+#include "app/study/child_processes.h"
+#include "app/study/files.h"
+#include "app/study/folder.h"
 #include "app/toml_document.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
@@ -190,7 +190,8 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
     study.results[m] = stored_result(directory, study.members[m], study.case_text);
   write_study(directory, study);
 
-  Console console(stderr, isatty(STDERR_FILENO) == 1, options.quiet ? Volume::quiet : Volume::normal);
+  Console console(stderr, isatty(STDERR_FILENO) == 1,
+                  options.quiet ? Volume::quiet : Volume::normal);
   const auto there = std::ranges::count_if(study.results, &MemberResult::finished);
   const int jobs = options.jobs > 0 ? options.jobs : omp_get_num_procs();
   console.stage(fmt::format("study: {} members, {} of them there already, {} at a time",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_variation.h"
+#include "app/study/variation.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_result.h"
+#include "app/study/result.h"
 
 #include "app/cli.h"
 #include "app/version.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study_design.h"
+#include "app/study/design.h"
 
 #include "app/case_schema.h"
 

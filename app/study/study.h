@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/mistakes.h"
-#include "app/study_design.h"
+#include "app/study/design.h"
 
 #include <string>
 #include <vector>
