@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/figures.h"
 #include "app/process_team.h"
+#include "app/result_json.h"
 #include "app/run_writer.h"
 #include "app/study/checks.h"
 #include "app/study/child_processes.h"
@@ -21,6 +22,10 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
 
 namespace berm::app
 {
@@ -36,6 +41,18 @@ std::string own_value(const TomlValue& document, const std::string& key)
     return {};
   const auto* number = std::get_if<double>(&value->data);
   return number != nullptr ? fmt::format("{:.10g}", *number) : toml_text(*value);
+}
+
+/// Members read a copy of the case elsewhere: a mesh file relative to the case becomes absolute.
+std::optional<std::string> absolute_mesh_file(const TomlValue& document, const fs::path& case_path)
+{
+  const TomlValue* value = find_value(document, "section.mesh_file");
+  const auto* file = value == nullptr ? nullptr : std::get_if<std::string>(&value->data);
+  if (file == nullptr || fs::path(*file).is_absolute())
+    return std::nullopt;
+  const fs::path full = fs::absolute(case_path).parent_path() / *file;
+  // A string of JSON is one of TOML.
+  return "section.mesh_file=" + Json(full.lexically_normal().string()).dump();
 }
 
 /// The study as asked for, nothing of it computed.
@@ -60,6 +77,8 @@ Study plan(const StudyOptions& options, KeyPlaces& places)
   study.seepage_only = options.seepage_only;
   std::vector<std::string> fixed{"output.figures=false"}; // unless --set says otherwise
   fixed.insert(fixed.end(), options.overrides.begin(), options.overrides.end());
+  if (auto file = absolute_mesh_file(document, options.case_path))
+    fixed.push_back(std::move(*file));
   std::vector<std::string> base;
   for (const Variation& variation : study.variations)
     base.push_back(own_value(document, variation.keys.front()));
