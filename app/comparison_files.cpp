@@ -88,9 +88,11 @@ std::string comparison_report(const coupling::Comparison& comparison)
   for (const coupling::ComparedWater& water : comparison.waters)
   {
     const coupling::FoundFactor* found = governing(water);
-    fmt::format_to(std::back_inserter(text), "  {:<36} {:<34} {:>9} {:>9}\n", water.title,
-                   found ? factor_text(found->F) : "no factor asked for", mean(water.over_soil),
-                   mean(water.along_slip_line));
+    std::string line = fmt::format("  {:<36} {:<34} {:>9} {:>9}", water.title,
+                                   found ? factor_text(found->F) : "no factor asked for",
+                                   mean(water.over_soil), mean(water.along_slip_line));
+    line.resize(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
   }
   text += "\n  Right: mean of the seepage pressure minus this pressure [kPa], over the soil and "
           "along the slip line under seepage.\n";
