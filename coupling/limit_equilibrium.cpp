@@ -42,12 +42,22 @@ double ground_beside(const meshes::Section& section, double x, double side)
   return meshes::ground_level(section, std::clamp(x + side * nudge, section.x_min, section.x_max));
 }
 
+/// Whether all soil is of one weight, wet or dry.
+bool uniform_weight(const LimitEquilibriumModel& m)
+{
+  return m.section.zones.empty() &&
+         std::ranges::all_of(m.soils, [&](const sph::Soil& soil)
+                             { return soil.saturated_density == m.soils[0].density; });
+}
+
 /// Weight of a column of unit width [N/m2] between two levels.
 double column_weight(const LimitEquilibriumModel& m, double x, double low, double high,
                      bool uniform)
 {
   if (uniform)
     return m.soils[0].density * gravity * (high - low);
+  if (m.weights != nullptr)
+    return m.weights->between(x, low, high);
   constexpr int points = 40;
   std::vector<double> xs(points, x), ys(points);
   const double dy = (high - low) / points;
@@ -145,9 +155,7 @@ std::optional<Slices> cut(const LimitEquilibriumModel& m, const Vec2& centre, do
   for (double& p_w : p)
     p_w -= everywhere;
 
-  bool uniform = m.section.zones.empty();
-  for (const sph::Soil& soil : m.soils)
-    uniform = uniform && soil.saturated_density == m.soils[0].density;
+  const bool uniform = uniform_weight(m);
 
   // Step 3: slices.
   Slices result;
@@ -364,9 +372,13 @@ std::optional<SlipCircle> evaluate_circle(const LimitEquilibriumModel& model, co
   return weakest;
 }
 
-std::optional<SlipCircle> critical_circle(const LimitEquilibriumModel& model, bool moves_right,
+std::optional<SlipCircle> critical_circle(const LimitEquilibriumModel& exact, bool moves_right,
                                           double min_depth)
 {
+  std::optional<ColumnWeights> table;
+  LimitEquilibriumModel model = exact;
+  if (!uniform_weight(exact))
+    model.weights = &table.emplace(exact.section, exact.soils, exact.pore_pressure);
   struct Candidate
   {
     Arc arc;
@@ -425,6 +437,6 @@ std::optional<SlipCircle> critical_circle(const LimitEquilibriumModel& model, bo
   if (critical == nullptr || !std::isfinite(critical->F))
     return std::nullopt;
   const CircleShape c = shape(model.section, critical->arc);
-  return evaluate_circle(model, c.centre, c.radius, moves_right, fine_slices);
+  return evaluate_circle(exact, c.centre, c.radius, moves_right, fine_slices);
 }
 } // namespace berm::coupling

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tensor.h"
+#include "coupling/column_weights.h"
 #include "coupling/pore_pressure.h"
 #include "coupling/region.h"
 #include "meshes/section.h"
@@ -33,6 +34,7 @@ struct LimitEquilibriumModel
   std::span<const sph::Soil> soils;
   const PorePressure& pore_pressure; ///< in the soil; at the ground, the pressure of the pool on it
   const Region* region = nullptr; ///< where the strength is divided by the factor; null: everywhere
+  const ColumnWeights* weights = nullptr; ///< null: each slice's own, by 40 points
 };
 
 /// @brief Factors of one circle: docs/theory.md eq. (10.1)-(10.6). Bishop 1955, Spencer 1967.
@@ -48,7 +50,8 @@ struct LimitEquilibriumModel
                                                         bool moves_right, int slices = 50);
 
 /// @brief The circle with the smallest Bishop factor: arcs between every pair of points of the
-/// ground, by their sagitta, then a shrinking pattern search from the best of them.
+/// ground, by their sagitta, then a shrinking pattern search from the best of them. The search
+/// takes weights from a table, the factors of the circle that it finds do not.
 /// @param[in] min_depth  Arcs shallower than this are left out [m]: a cohesionless skin hides the
 /// rest.
 /// @return Nothing if no arc is admissible.

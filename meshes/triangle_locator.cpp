@@ -6,11 +6,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace berm::meshes
 {
 namespace
 {
+// Of the tree: a leaf holds at most so many triangles, unless it lies so deep, or splitting it
+// would make more than so many times as many.
+constexpr std::size_t few = 8;
+constexpr int deepest = 30;
+constexpr double worth_it = 2.5;
+
+/// Quarter q of a square: 1 to the right, 2 above.
+Box quarter(const Vec2& lower, double size, int q)
+{
+  const Vec2 corner = lower + size / 2 * Vec2(q % 2, q / 2);
+  return {corner, corner + Vec2(size / 2, size / 2)};
+}
+
 std::array<Vec2, 3> corners(const TriangleMesh& mesh, Index t)
 {
   const auto& nodes = mesh.triangles[static_cast<std::size_t>(t)];
@@ -58,70 +72,93 @@ TriangleLocator::TriangleLocator(const TriangleMesh& mesh) : mesh_(mesh)
     lower_ = lower_.cwiseMin(node);
     upper = upper.cwiseMax(node);
   }
-  const Vec2 extent = upper - lower_;
-  bin_size_ = std::sqrt(extent.x() * extent.y() / static_cast<double>(mesh.triangles.size()));
-  nx_ = static_cast<Index>(extent.x() / bin_size_) + 1;
-  ny_ = static_cast<Index>(extent.y() / bin_size_) + 1;
-
-  // Count, scan, place.
-  const auto for_bins_of = [&](Index t, auto&& visit)
+  size_ = (upper - lower_).maxCoeff();
+  box_.reserve(mesh.triangles.size());
+  Cell root;
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
   {
     const std::array<Vec2, 3> c = corners(mesh_, t);
-    const auto low = bin_at(c[0].cwiseMin(c[1]).cwiseMin(c[2]));
-    const auto high = bin_at(c[0].cwiseMax(c[1]).cwiseMax(c[2]));
-    for (Index bx = low[0]; bx <= high[0]; ++bx)
-      for (Index by = low[1]; by <= high[1]; ++by)
-        visit(static_cast<std::size_t>(bx * ny_ + by));
-  };
-  const auto m = static_cast<Index>(mesh.triangles.size());
-  start_.assign(static_cast<std::size_t>(nx_ * ny_) + 1, 0);
-  for (Index t = 0; t < m; ++t)
-    for_bins_of(t, [&](std::size_t bin) { ++start_[bin + 1]; });
-  for (std::size_t bin = 1; bin < start_.size(); ++bin)
-    start_[bin] += start_[bin - 1];
-  triangle_.resize(static_cast<std::size_t>(start_.back()));
-  std::vector<Index> next(start_.begin(), start_.end() - 1);
-  for (Index t = 0; t < m; ++t)
-    for_bins_of(t, [&](std::size_t bin) { triangle_[static_cast<std::size_t>(next[bin]++)] = t; });
+    box_.push_back({c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])});
+    root.triangle.push_back(t);
+  }
+  cells_.push_back(std::move(root));
+  split(0, lower_, size_, 0);
 }
 
-std::array<Index, 2> TriangleLocator::bin_at(const Vec2& point) const
+void TriangleLocator::split(Index cell, const Vec2& lower, double size, int depth)
 {
-  const Vec2 scaled = (point - lower_) / bin_size_;
-  const auto clamp = [](double value, Index n)
-  { return static_cast<Index>(std::clamp(std::floor(value), 0.0, static_cast<double>(n - 1))); };
-  return {clamp(scaled.x(), nx_), clamp(scaled.y(), ny_)};
+  const std::vector<Index> all = std::move(cells_[static_cast<std::size_t>(cell)].triangle);
+  std::array<Cell, 4> quarters;
+  std::size_t sum = 0;
+  if (all.size() > few && depth < deepest)
+    for (int q = 0; q < 4; ++q)
+    {
+      const Box box = quarter(lower, size, q);
+      for (const Index t : all)
+        if (box_[static_cast<std::size_t>(t)].touches(box))
+          quarters[static_cast<std::size_t>(q)].triangle.push_back(t);
+      sum += quarters[static_cast<std::size_t>(q)].triangle.size();
+    }
+  if (sum == 0 || static_cast<double>(sum) > worth_it * static_cast<double>(all.size()))
+  {
+    cells_[static_cast<std::size_t>(cell)].triangle = all;
+    return;
+  }
+  const auto first = static_cast<Index>(cells_.size());
+  cells_[static_cast<std::size_t>(cell)].children = first;
+  for (Cell& q : quarters)
+    cells_.push_back(std::move(q));
+  for (int q = 0; q < 4; ++q)
+    split(first + q, quarter(lower, size, q).lower, size / 2, depth + 1);
 }
 
-std::span<const Index> TriangleLocator::triangles_in(Index bx, Index by) const
+const TriangleLocator::Cell& TriangleLocator::leaf_at(const Vec2& point) const
 {
-  const auto bin = static_cast<std::size_t>(bx * ny_ + by);
-  return {triangle_.data() + start_[bin], triangle_.data() + start_[bin + 1]};
+  const Cell* cell = &cells_.front();
+  Vec2 lower = lower_;
+  for (double half = size_ / 2; cell->children >= 0; half /= 2)
+  {
+    const int right = point.x() >= lower.x() + half ? 1 : 0;
+    const int above = point.y() >= lower.y() + half ? 1 : 0;
+    lower += half * Vec2(right, above);
+    cell = &cells_[static_cast<std::size_t>(cell->children + right + 2 * above)];
+  }
+  return *cell;
+}
+
+void TriangleLocator::find_nearest(const Vec2& point, Index cell, const Vec2& lower, double size,
+                                   Location& best) const
+{
+  const Cell& here = cells_[static_cast<std::size_t>(cell)];
+  for (const Index t : here.triangle)
+    if (box_[static_cast<std::size_t>(t)].distance(point) <= best.shift)
+      if (const Location near = nearest_on_rim(corners(mesh_, t), point, t);
+          near.shift < best.shift || (best.triangle < 0 && near.shift == best.shift))
+        best = near;
+  if (here.children < 0)
+    return;
+  std::array<std::pair<double, int>, 4> order; // the nearest quarter first: it rules others out
+  for (int q = 0; q < 4; ++q)
+    order[static_cast<std::size_t>(q)] = {quarter(lower, size, q).distance(point), q};
+  std::ranges::sort(order);
+  for (const auto& [distance, q] : order)
+    if (distance <= best.shift)
+      find_nearest(point, here.children + q, quarter(lower, size, q).lower, size / 2, best);
 }
 
 TriangleLocator::Location TriangleLocator::locate(const Vec2& point, double max_shift) const
 {
-  const auto [px, py] = bin_at(point);
-  for (const Index t : triangles_in(px, py))
-  {
-    const std::array<double, 3> w = barycentric(corners(mesh_, t), point);
-    if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0)
-      return {.triangle = t, .weight = w, .shift = 0};
-  }
+  for (const Index t : leaf_at(point).triangle)
+    if (box_[static_cast<std::size_t>(t)].touches({point, point}))
+    {
+      const std::array<double, 3> w = barycentric(corners(mesh_, t), point);
+      if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0)
+        return {.triangle = t, .weight = w, .shift = 0};
+    }
 
-  // Outside: the nearest point of all triangles in the bins that max_shift can reach.
-  Location best;
+  Location best; // outside
   best.shift = max_shift;
-  const Vec2 reach{max_shift, max_shift};
-  const auto low = bin_at(point - reach), high = bin_at(point + reach);
-  for (Index bx = low[0]; bx <= high[0]; ++bx)
-    for (Index by = low[1]; by <= high[1]; ++by)
-      for (const Index t : triangles_in(bx, by))
-      {
-        const Location near = nearest_on_rim(corners(mesh_, t), point, t);
-        if (near.shift <= best.shift)
-          best = near;
-      }
+  find_nearest(point, 0, lower_, size_, best);
   return best;
 }
 
