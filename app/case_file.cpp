@@ -321,6 +321,7 @@ private:
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
     case_.output.lines = assemble_lines(values_, mistakes_);
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+    case_.output.report = values_.get<bool>("output.report").value_or(true);
   }
 
   void assemble_scope()

@@ -412,6 +412,12 @@ const std::vector<Key> table = {
      .otherwise = "true",
      .sentence =
          "Whether to draw figures beside the results, where Python with matplotlib is there."},
+    {.path = "output.report",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "true",
+     .sentence = "Whether to write report.html beside the results: all of it on one page for a "
+                 "browser."},
     {.path = "output.line[].name",
      .type = text,
      .presence = optional,

@@ -71,6 +71,7 @@ struct Output
   Polyline probes; ///< where to print head and pore pressure [m]
   std::vector<OutputLine> lines;
   bool figures = true;
+  bool report = true; ///< whether to write report.html
 };
 
 /// A validated case: SI, radians, every field set. docs/case_reference.md lists the keys.
