@@ -66,6 +66,7 @@ function gradientCard(result) {
   if (!steepest && heave === null) return null;
   const low = heave !== null && heave !== undefined && heave < 1;
   return card(low ? "alarm" : "", "Factor against heave", heave === null || heave === undefined ? "no rising water" : number(heave, 3),
+    heave ? (flow.heave.column && flow.heave.column.factor === heave ? `of a column ${number(flow.heave.column.depth_m, 3)} m deep below ${point(flow.heave.column.at_m)} m` : `at the surface, at ${point(flow.heave.surface.at_m)} m`) : null,
     low && "below 1: rising water lifts the soil",
     steepest && `largest exit gradient ${number(steepest.gradient, 3)} at ${point(steepest.at_m)} m`);
 }

@@ -20,11 +20,13 @@ function domain(values, axis) {
   return [low - room, high + room];
 }
 
-function label(axis, value) {
-  if (!axis.log) return Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-4) ? number(value, 2) : String(Number(value.toPrecision(6)));
-  const exponent = Math.log10(value);
-  return Math.abs(exponent - Math.round(exponent)) < 1e-9 ? power(Math.round(exponent)) : "";
+/** Texts of an axis's ticks: all with as many places; numbers far from 1 as powers of ten. */
+function labels(axis, scale, count) {
+  const most = Math.max(...scale.domain().map(Math.abs));
+  if (axis.log) return (v) => power(Math.round(Math.log10(v)));
+  return most >= 1e6 || most < 1e-3 ? (v) => number(v, 2) : scale.tickFormat(count);
 }
+const isPower = (v) => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9;
 
 /**
  * x, y: { title, log, zero, include }; series: { label, points [[x, y]], colour, dash, shape ("dot", "ring",
@@ -56,9 +58,9 @@ export function chart({ title, x, y, series, bands = [], verticals = [], height 
       svg.append(s("rect", { x: xs(band.from), y: M.top, width: Math.max(1, xs(band.to) - xs(band.from)), height: height - M.top - M.bottom, fill: band.colour, opacity: 0.5 }));
     const gx = s("g", { transform: `translate(0,${height - M.bottom})` }), gy = s("g", { transform: `translate(${M.left},0)` });
     svg.append(gx, gy);
-    const ticks = (axis, scale, count) => (axis.log ? scale.ticks(count).filter((v) => label(axis, v)) : scale.ticks(count));
-    select(gy).call(axisLeft(ys).tickValues(ticks(y, ys, 5)).tickFormat((v) => label(y, v)).tickSize(-(width - M.left - M.right)));
-    select(gx).call(axisBottom(xs).tickValues(ticks(x, xs, Math.max(3, width / 100))).tickFormat((v) => label(x, v)));
+    const ticks = (axis, scale, count) => (axis.log ? scale.ticks(count).filter(isPower) : scale.ticks(count));
+    select(gy).call(axisLeft(ys).tickValues(ticks(y, ys, 5)).tickFormat(labels(y, ys, 5)).tickSize(-(width - M.left - M.right)));
+    select(gx).call(axisBottom(xs).tickValues(ticks(x, xs, Math.max(3, width / 100))).tickFormat(labels(x, xs, Math.max(3, width / 100))));
     for (const g of [gx, gy]) styleAxis(select(g));
     select(gy).selectAll("line").attr("stroke", "#e3e7ea");
     axisName(gx, x.title, M.left + (width - M.left - M.right) / 2, 36, 0);

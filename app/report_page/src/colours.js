@@ -10,8 +10,11 @@ export const PURPLE = "#CC79A7", AMBER = "#E69F00", INK = "#1d2327", RED = "#a42
 export const SOILS = ["#e9dcc3", "#c9d5e3", "#d9e4c8", "#ecd0c4", "#d8cfe5", "#cfe3df", "#e5e0c0", "#d6d6d6"];
 export const soilColour = (i) => SOILS[i % SOILS.length];
 
+const paler = (map, white) => (t) => `rgb(${rgb(map(t)).map((v) => Math.round(v + white * (255 - v))).join(",")})`;
+
 const MAPS = {
   viridis: interpolateViridis,
+  head: paler(interpolateViridis, 0.28), // lines have to be seen on it
   cividis: interpolateCividis,
   water: (t) => interpolateYlGnBu(0.06 + 0.9 * t),
   strain: (t) => interpolateMagma(1 - 0.92 * t),

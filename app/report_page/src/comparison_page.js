@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same soil under different waters: what the assumption about the water is worth.
-import { notices, rangeText, bracketText } from "./answer.js";
-import { BLUE, GREY, ORANGE, PURPLE, SKY } from "./colours.js";
+import { bracketText, notices, rangeText } from "./answer.js";
+import { BLUE, colourScale, GREY, ORANGE, PURPLE, SKY } from "./colours.js";
 import { chapter, choice, h, table } from "./dom.js";
-import { colourScale } from "./colours.js";
 import { differenceField, extremes, particleFields } from "./fields.js";
 import { factor, fixed, number, signed } from "./numbers.js";
 import { provenance } from "./provenance.js";
@@ -43,13 +42,14 @@ function answer(comparison, waters) {
     table(columns, waters.map((w) => [
       h("span", {}, h("span", { class: "dot", style: `background:${w.colour}` }), w.title),
       solved(w) ? h("strong", {}, factor(w.factor)) : "no answer",
-      (w.result.stability && bracketText(w.result.stability)) || w.result.stability?.reason,
+      bracket(w.result.stability),
       w.low === null ? null : `${factor(w.low)} to ${factor(w.high)}`,
       w === base || !solved(w) || !solved(base) ? null : signed(w.factor - base.factor, 3),
       signed(w.seepage_minus_this.slip_line?.mean_kPa ?? null, 2), signed(w.seepage_minus_this.soil?.mean_kPa ?? null, 2),
-      h("a", { href: `${encodeURIComponent(w.directory)}/report.html` }, "open")]), "Waters"),
+      h("a", { href: `${encodeURIComponent(w.directory)}/report.html` }, "open its report")]), "Waters"),
     h("p", { class: "note" }, "Δu: pore pressure of the seepage minus this one; positive: this assumption leaves pressure out."));
 }
+const bracket = (s) => (s?.stands && s.fails ? `${factor(s.stands)} to ${factor(s.fails)}` : (s && (bracketText(s) || s.reason)) || null);
 const num = (title) => ({ title, number: true });
 
 /** What the usual assumption would have said, in a sentence. */
@@ -125,12 +125,13 @@ function pressures(comparison, waters) {
     };
   }
   const first = options["minus-hydrostatic"] ? "minus-hydrostatic" : Object.keys(options)[0];
-  const view = new View({ box: boxOf(base.result.section), title: "Pore pressure compared", controls: [choice("Show", options, (name) => view.setField(fields[name]()), first)] });
+  const view = new View({ box: boxOf(base.result.section), title: "Pore pressure compared", controls: [h("strong", { class: "figure-title" }, "Pore pressure"), choice("Show", options, (name) => view.setField(fields[name]()), first)] });
   view.root.id = "pressure-view";
   view.setField(fields[first]());
   view.setLayers([...poolLayers(base.result.section), ...outlineLayers(base.result), ...waterLayers(waters), ...slipLines(waters, 2).map((l, i) => ({ ...l, on: i === 0 }))]);
   const row = (w, where, d) => d && [w.title, where, signed(d.mean_kPa, 2), fixed(d.rms_kPa, 2), signed(d.smallest_kPa, 2), signed(d.largest_kPa, 2)];
   const rows = others.flatMap((w) => [row(w, "along the slip line under seepage", w.seepage_minus_this.slip_line), row(w, "in all soil", w.seepage_minus_this.soil)]).filter(Boolean);
-  return chapter("pressure", "What the water does", view.root, h("h3", {}, "Seepage pressure minus the other"),
+  return chapter("pressure", "What the water does", view.root,
+    h("p", { class: "note" }, "In the differences, purple: the seepage presses harder than the other water says, which is on the unsafe side; orange: less hard. The same particles carry both."), h("h3", {}, "Seepage pressure minus the other"),
     table([{ title: "Other water" }, { title: "where" }, num("mean [kPa]"), num("rms [kPa]"), num("smallest [kPa]"), num("largest [kPa]")], rows, "Pressure differences"));
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of equal value of a field that is linear on triangles.
 
-/** For each level, a list of chains [[x, y], ...]. */
-export function contours(mesh, values, levels) {
+/** For each level, a list of chains [[x, y], ...]; only in triangles with a `wet` node, if that is given. */
+export function contours(mesh, values, levels, wet) {
   const { x, y, triangles } = mesh;
   const segments = levels.map(() => []);
   const low = levels[0], step = levels.length > 1 ? levels[1] - levels[0] : 1;
   for (let t = 0; t < triangles.length; t += 3) {
     const nodes = [triangles[t], triangles[t + 1], triangles[t + 2]];
+    if (wet && !nodes.some((n) => wet[n] >= 0)) continue;
     const v = nodes.map((n) => values[n]);
     const first = Math.max(0, Math.ceil((Math.min(...v) - low) / step - 1e-9));
     const last = Math.min(levels.length - 1, Math.floor((Math.max(...v) - low) / step + 1e-9));
@@ -62,7 +63,7 @@ export function roundLevels(low, high, count) {
   const raw = (high - low) / count;
   if (!(raw > 0)) return [];
   const decade = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 2.5, 5, 10].map((m) => m * decade).find((m) => m >= raw * 0.999);
+  const step = [1, 2, 2.5, 5, 10].map((m) => m * decade).find((m) => m >= 0.72 * raw);
   const levels = [];
   for (let k = Math.ceil(low / step + 1e-6); k * step < high - 1e-6 * step; ++k) levels.push(k * step);
   return levels;

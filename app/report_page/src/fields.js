@@ -26,10 +26,21 @@ const named = (name, unit) => (v) => `${name} ${number(v, 4)} ${unit}`.trim();
 const wet = (kPa) => colourScale("water", [0, Math.max(extremes(kPa)[1], 1e-3)], extremes(kPa)[0] < 0 ? DRY : null);
 
 /** Fields on the triangles. */
-export function meshFields(mesh) {
+export function meshFields(mesh, sharp) {
   const nodal = (values) => (raster) => raster.triangles(mesh, values, true);
   return {
-    head: () => ({ title: "Hydraulic head above y = 0 [m]", colours: colourScale("viridis", extremes(mesh.head)), draw: nodal(mesh.head), value: named("head", "m") }),
+    head: () => {
+      const dry = sharp && extremes(mesh.pore_pressure)[0] < 0;
+      const draw = (raster) => {
+        raster.triangles(mesh, mesh.head, true);
+        if (dry) raster.below(mesh, mesh.pore_pressure);
+      };
+      return {
+        title: `Hydraulic head above y = 0 [m]${dry ? "; pale: above the phreatic line" : ""}`, draw,
+        colours: colourScale("head", extremes(mesh.head), dry ? DRY : null),
+        value: (v) => (v === -Infinity ? "above the phreatic line" : named("head", "m")(v)),
+      };
+    },
     pressure: () => {
       const kPa = scaled(mesh.pore_pressure, 1e3), colours = wet(kPa);
       return { title: colours.belowCss ? "Pore pressure [kPa]; pale: suction, above the phreatic line" : "Pore pressure [kPa]", colours, draw: nodal(kPa), value: named("pore pressure", "kPa") };

@@ -7,11 +7,11 @@ import { boundaryLayers, boxOf, outlineLayers, poolLayers, seepageLayers, soilLa
 import { View } from "./view.js";
 
 const WATER = { none: "none: the soil is dry", hydrostatic: "hydrostatic below a given or assumed line", seepage: "steady seepage, computed" };
-const KINDS = { impervious: "impervious", head: "given head", seepage_face: "seepage face", inflow: "given inflow" };
+export const KINDS = { impervious: "impervious", head: "given head", seepage_face: "seepage face", inflow: "given inflow" };
 
 export function inputs({ result }) {
   const { section } = result;
-  const view = new View({ box: boxOf(section), title: "Section and soils as understood", bar: false });
+  const view = new View({ box: boxOf(section), title: "Section and soils as understood", bar: false, controls: [h("strong", { class: "figure-title" }, "Section as understood")] });
   const surface = result.stability?.free_surface_m ?? [];
   const regions = [["search region", result.stability?.search_region_m, ORANGE], ["excluded region", result.stability?.exclude_region_m, AMBER]];
   view.setLayers([...poolLayers(section), ...soilLayers(result), ...outlineLayers(result), ...boundaryLayers(result),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the numbers come from: program, case, times.
+import licences from "licences.txt";
 import { chapter, facts, h, table } from "./dom.js";
 import { fixed, number } from "./numbers.js";
 
@@ -15,7 +16,8 @@ export function provenance(data) {
     h("details", { id: "case" }, h("summary", {}, "Text of the case file"), h("pre", { class: "scroll", tabindex: "0" }, data.case.text)),
     h("details", {}, h("summary", {}, "Versions"), h("pre", { class: "scroll" }, `This page was written by\n${data.version}`)),
     data.result && times(result),
-    h("p", { class: "note" }, "This page stands alone: it loads nothing. Drawn with d3 (ISC licence, Mike Bostock) and fflate (MIT licence, Arjun Barrett)."));
+    h("details", {}, h("summary", {}, "Libraries in this page"), h("pre", { class: "scroll", tabindex: "0" }, licences)),
+    h("p", { class: "note" }, "This page stands alone: it loads nothing. Drawn with d3 and fflate."));
 }
 
 function times(result) {

@@ -36,6 +36,13 @@ export class Raster {
     }
   }
 
+  /** No value, but less than any, where another nodal field is negative. */
+  below(mesh, field) {
+    const other = new Raster(this.width, this.height, this.scale, this.left, this.top);
+    other.triangles(mesh, field, true);
+    for (let k = 0; k < this.values.length; ++k) if (other.values[k] < 0) this.values[k] = -Infinity;
+  }
+
   /** Each pixel that is nearer than `radius` to a particle takes the value of the nearest one. */
   particles(x, y, values, radius) {
     const { width, height, scale, left, top } = this, r = Math.max(radius * scale, 0.8);

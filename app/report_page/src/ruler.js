@@ -32,7 +32,7 @@ export function ruler(rows, title) {
     svg.append(s("path", { d: `M${x(1)},0V${rows.length * step + 6}`, stroke: RED, "stroke-width": 1.4, fill: "none" }), s("text", { x: x(1) + 4, y: 10, "font-size": 10.5, fill: RED }, narrow ? "" : "F = 1"));
     rows.forEach((row, i) => {
       const y = i * step + (narrow ? 30 : 20);
-      svg.append(s("text", narrow ? { x: left, y: y - 13, "font-size": 11.5, fill: INK } : { x: left - 12, y: y + 4, "text-anchor": "end", "font-size": 12, fill: INK }, row.label));
+      svg.append(s("text", narrow ? { x: left, y: y - 13, "font-size": 11.5, fill: INK, stroke: "white", "stroke-width": 3, "paint-order": "stroke" } : { x: left - 12, y: y + 4, "text-anchor": "end", "font-size": 12, fill: INK }, row.label));
       if (row.low !== null && row.low !== undefined) svg.append(s("rect", { x: x(row.low), y: y - 6, width: Math.max(1, x(row.high) - x(row.low)), height: 12, fill: row.colour, opacity: 0.22 }));
       if (row.stands && row.fails) svg.append(s("rect", { x: x(row.stands) - 1, y: y - 6, width: Math.max(3, x(row.fails) - x(row.stands) + 2), height: 12, fill: row.colour }));
       for (const m of row.marks ?? [])

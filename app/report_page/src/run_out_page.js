@@ -32,7 +32,7 @@ function player(result, frames, particles) {
   const play = h("button", { type: "button", class: "play", "aria-label": "Play", onclick: () => (timer ? stop() : start()) }, "\u25b6 Play");
   const view = new View({
     box: boxOf(result.section, [[xl, yl], [xr, yh]]), title: "Run-out",
-    controls: [choice("Field", { displacement: "displacement", strain: "plastic strain", height: "layers" }, (value) => ((name = value), go(now)), name)],
+    controls: [h("strong", { class: "figure-title" }, "Run-out"), choice("Field", { displacement: "displacement", strain: "plastic strain", height: "layers" }, (value) => ((name = value), go(now)), name)],
   });
   view.root.id = "run-out-view";
   function go(frame) {

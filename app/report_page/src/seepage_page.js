@@ -4,6 +4,7 @@ import { chart } from "./chart.js";
 import { contours, evenLevels, roundLevels } from "./contours.js";
 import { chapter, choice, facts, h, table } from "./dom.js";
 import { extremes, meshFields, MESH_FIELDS } from "./fields.js";
+import { KINDS } from "./inputs.js";
 import { fixed, number, plain, point } from "./numbers.js";
 import { boxOf, outlineLayers, poolLayers, seepageLayers } from "./section.js";
 import { lazily } from "./unpack.js";
@@ -14,25 +15,27 @@ const TUBES = 10; // stream tubes of equal discharge
 export function seepage({ result, mesh, tables }) {
   const flow = result.seepage;
   return chapter("seepage", "Seepage", picture(result, lazily(mesh)), summary(flow),
-    stretches(flow), probes(flow), gradients(flow, tables), lines(flow, tables), meshes(flow));
+    stretches(result), probes(flow), gradients(result, tables), lines(flow, tables), meshes(flow));
 }
 
 function picture(result, mesh) {
-  const fields = meshFields(mesh);
-  const view = new View({ box: boxOf(result.section), title: "Seepage", controls: [choice("Field", MESH_FIELDS, (name) => view.setField(fields[name]()), "head")] });
+  // Without a fringe, what the solve says above the phreatic line is no water's head.
+  const sharp = result.inputs.soils.every((soil) => soil.retention === "sharp");
+  const fields = meshFields(mesh, sharp);
+  const view = new View({ box: boxOf(result.section), title: "Seepage", controls: [h("strong", { class: "figure-title" }, "Seepage"), choice("Field", MESH_FIELDS, (name) => view.setField(fields[name]()), "head")] });
   view.root.id = "seepage-view";
   view.setField(fields.head());
-  view.setLayers([...poolLayers(result.section), ...netLayers(mesh), ...outlineLayers(result), ...seepageLayers(result), ...heaveMarks(result.seepage)]);
+  view.setLayers([...poolLayers(result.section), ...netLayers(mesh, sharp), ...outlineLayers(result), ...seepageLayers(result), ...heaveMarks(result.seepage)]);
   return [view.root, h("p", { class: "note" }, "Click the picture, then the wheel zooms and dragging moves it; or hold Ctrl over it. With the keyboard: + and \u2212, arrows, 0 for all.")];
 }
 
 /** Equipotentials, and stream lines between tubes of equal discharge. */
-function netLayers(mesh) {
+function netLayers(mesh, sharp) {
   const [low, high] = extremes(mesh.head), levels = roundLevels(low, high, 16);
-  const layers = [{ label: levels.length > 1 ? `equipotentials, every ${plain(levels[1] - levels[0])} m` : "equipotentials", lines: contours(mesh, mesh.head, levels).flat(), look: { stroke: "#2b2f33", width: 0.8, strokeOpacity: 0.75 } }];
+  const layers = [{ label: levels.length > 1 ? `equipotentials, every ${plain(levels[1] - levels[0])} m` : "equipotentials", lines: contours(mesh, mesh.head, levels, sharp ? mesh.pore_pressure : null).flat(), look: { stroke: "#16191c", width: 1, halo: "rgba(255,255,255,0.4)" } }];
   if (mesh.stream_function) {
     const [least, most] = extremes(mesh.stream_function);
-    layers.push({ label: `stream lines, ${number((most - least) / TUBES, 3)} m²/s between two`, lines: contours(mesh, mesh.stream_function, evenLevels(least, most, TUBES)).flat(), look: { stroke: "white", width: 1.3 } });
+    layers.push({ label: `stream lines, ${number((most - least) / TUBES, 3)} m²/s between two`, lines: contours(mesh, mesh.stream_function, evenLevels(least, most, TUBES)).flat(), look: { stroke: "white", width: 1.3, halo: "rgba(20,30,40,0.4)" } });
   }
   return layers;
 }
@@ -63,14 +66,19 @@ function heave(h) {
   ];
 }
 
-const label = (name) => name.replace(/_/g, " ");
+/** "left pool"; "line 1, given head" for a boundary that the case gives on a line. */
+function label(name, result) {
+  const given = /^marked_(\d+)$/.exec(name), boundary = given && result.inputs.boundaries[given[1] - 1];
+  return boundary ? `line ${given[1]}, ${KINDS[boundary.kind] ?? boundary.kind}` : name.replace(/_/g, " ");
+}
 const num = (title) => ({ title, number: true });
 
-function stretches(flow) {
+function stretches(result) {
+  const flow = result.seepage;
   const rain = flow.stretches.some((x) => x.runoff_m2_s);
   return [h("h3", {}, "Water through each stretch of the outline"),
     table([{ title: "Stretch" }, num("into the soil [m²/s]"), ...(rain ? [num("runs off [m²/s]")] : [])],
-      flow.stretches.map((x) => [label(x.name), number(x.inflow_m2_s), ...(rain ? [number(x.runoff_m2_s)] : [])]), "Stretches")];
+      flow.stretches.map((x) => [label(x.name, result), number(x.inflow_m2_s), ...(rain ? [number(x.runoff_m2_s)] : [])]), "Stretches")];
 }
 
 function probes(flow) {
@@ -86,18 +94,19 @@ function parsed(text) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, Number.isNaN(Number(row[i])) ? row[i] : Number(row[i])])));
 }
 
-function gradients(flow, tables) {
+function gradients(result, tables) {
+  const flow = result.seepage;
   if (!flow.exit_gradients.length) return null;
-  const rows = flow.exit_gradients.map((o) => [label(o.stretch), `${point(o.from_m)} to ${point(o.to_m)}`, number(o.outflow_m2_s), number(o.gradient, 3), point(o.at_m), number(o.upward_gradient, 3), number(o.critical_gradient, 3), o.unbounded_at_m.map(point).join(" ") || "none"]);
+  const rows = flow.exit_gradients.map((o) => [label(o.stretch, result), `${point(o.from_m)} to ${point(o.to_m)}`, number(o.outflow_m2_s), number(o.gradient, 3), point(o.at_m), number(o.upward_gradient, 3), number(o.critical_gradient, 3), o.unbounded_at_m.map(point).join(" ") || "none"]);
   const points = tables.exit_gradients ? parsed(tables.exit_gradients) : [];
   const colours = [BLUE, ORANGE, GREEN, PURPLE, GREY];
   const series = [...new Set(points.map((p) => p.outlet))].map((outlet, i) => {
     const own = points.filter((p) => p.outlet === outlet && p.counts);
-    return { label: `outlet ${outlet}: ${label(String(own[0]?.stretch ?? ""))}`, colour: colours[i % colours.length], points: own.map((p) => [p.distance_m, p.normal_gradient]) };
+    return { label: `outlet ${outlet}: ${label(String(own[0]?.stretch ?? ""), result)}`, colour: colours[i % colours.length], points: own.map((p) => [p.distance_m, p.normal_gradient]) };
   });
   return [h("h3", {}, "Where water leaves the soil"),
     table([{ title: "Stretch" }, { title: "from, to [m]" }, num("outflow [m²/s]"), num("largest gradient [-]"), num("at [m]"), num("upward there [-]"), num("critical [-]"), { title: "without bound at [m]" }], rows, "Exit gradients"),
-    series.length ? chart({ title: "Exit gradient along the outlet", x: { title: "distance along the outlet [m]" }, y: { title: "gradient [-]" }, series, height: 220 }) : null];
+    series.length ? chart({ title: "Exit gradient along the outlet", x: { title: flow.exit_gradients.length === 1 ? `distance along the outlet from ${point(flow.exit_gradients[0].from_m)} [m]` : "distance along each outlet [m]" }, y: { title: "gradient [-]" }, series, height: 220 }) : null];
 }
 
 function lines(flow, tables) {

@@ -28,7 +28,7 @@ function picture(result, particles) {
   const show = () => view.setField(particleFields(result, particles, states[now.state])[now.field]());
   const view = new View({
     box: boxOf(result.section), title: "Stability",
-    controls: [choice("Field", PARTICLE_FIELDS, (f) => ((now.field = f), show()), now.field),
+    controls: [h("strong", { class: "figure-title" }, "Particles"), choice("Field", PARTICLE_FIELDS, (f) => ((now.field = f), show()), now.field),
       choice("State", Object.fromEntries(names.map((n) => [n, stateName(n, states[n])])), (n) => ((now.state = n), show()), now.state)],
   });
   view.root.id = "stability-view";

@@ -126,7 +126,7 @@ export class View {
     this.width = width;
     const { x, y } = this.box, plotWidth = width - MARGIN.left - MARGIN.right;
     const ratio = (y[1] - y[0]) / (x[1] - x[0]);
-    const plotHeight = Math.round(Math.max(150, Math.min(plotWidth * ratio, 560)));
+    const plotHeight = Math.round(Math.max(120, Math.min(plotWidth * ratio, 560)));
     this.plot = { width: plotWidth, height: plotHeight };
     this.height = MARGIN.top + plotHeight + MARGIN.bottom + (this.hasBar ? BAR : 0);
     this.fit = Math.min(plotWidth / (x[1] - x[0]), plotHeight / (y[1] - y[0]));
@@ -213,7 +213,7 @@ export class View {
   }
 }
 
-/** A switch between fields above a view. */
+/** What stands for a layer in a legend. */
 export function swatchOf(layer) {
   const look = layer.look ?? {};
   if (layer.lines || layer.circle)
@@ -227,8 +227,9 @@ function drawLayer(layer, m) {
   const look = layer.look ?? {};
   if (!layer.lineGroup || !layer.lineGroup.parentNode) {
     const style = { fill: layer.closed ? look.fill ?? "none" : "none", "fill-opacity": look.opacity ?? null, stroke: look.stroke ?? "none", "stroke-width": look.width ?? 1.2, "stroke-dasharray": look.dash ?? null, "stroke-linejoin": "round", "stroke-opacity": look.strokeOpacity ?? null };
+    const paths = (more) => (layer.lines ?? []).map((line) => s("path", { d: pathOf(line, layer.closed), "vector-effect": "non-scaling-stroke", ...more }));
     layer.lineGroup = s("g", style,
-      (layer.lines ?? []).map((line, i) => s("path", { d: pathOf(line, layer.closed), "vector-effect": "non-scaling-stroke", fill: layer.fills?.[i] ?? null })),
+      look.halo ? paths({ stroke: look.halo, "stroke-width": (look.width ?? 1.2) + 1.6 }) : [], paths({}),
       layer.circle ? s("circle", { cx: layer.circle.centre[0], cy: layer.circle.centre[1], r: layer.circle.radius, "vector-effect": "non-scaling-stroke" }) : null);
     layer.markGroup = s("g", {});
     layer.group.replaceChildren(layer.lineGroup, layer.markGroup);
