@@ -255,6 +255,7 @@ private:
     case_.output.lines = assemble_lines(values_, mistakes_);
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
     case_.output.msh = values_.get<bool>("output.msh").value_or(false);
+    case_.output.report = values_.get<bool>("output.report").value_or(true);
   }
 
   void assemble_scope()

@@ -432,6 +432,12 @@ const std::vector<Key> table = {
      .presence = defaulted,
      .otherwise = "false",
      .sentence = "Whether to write the seepage mesh as `mesh.msh`, for gmsh."},
+    {.path = "output.report",
+     .type = boolean,
+     .presence = defaulted,
+     .otherwise = "true",
+     .sentence = "Whether to write report.html beside the results: all of it on one page for a "
+                 "browser."},
     {.path = "output.line[].name",
      .type = text,
      .presence = optional,

@@ -9,6 +9,7 @@
 #include "app/console.h"
 #include "app/figures.h"
 #include "app/frame_files.h"
+#include "app/html_report.h"
 #include "app/process_team.h"
 #include "app/report.h"
 #include "app/result_json.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <span>
 
 namespace berm::app
 {
@@ -71,6 +73,19 @@ Console console_of(const RunOptions& options, bool speaks)
   return Console(stderr, isatty(STDERR_FILENO) == 1, volume, speaks ? options.log : "");
 }
 
+/// The page beside the results, if it is wanted and this build has it.
+void add_report(const std::filesystem::path& directory, const coupling::Case& input,
+                Console& console)
+{
+  if (!input.output.report)
+    return;
+  console.stage("report");
+  if (report_built_in())
+    write_report(directory);
+  else
+    console.warn("no report: berm was built without its page");
+}
+
 int run_case(const RunOptions& options, KeyPlaces& places)
 {
   coupling::Case input = read_case(options.case_path, options.read, places);
@@ -86,13 +101,14 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   if (!speaks)
     return complete(input, analysis) ? exit_ok : exit_no_answer;
 
-  write_run(directory, input, analysis);
+  write_run(directory, input, analysis, console.warnings());
   if (input.output.figures && !analysis.interrupted)
   {
     console.stage("figures");
     if (const std::string problem = draw_figures(directory); !problem.empty())
       console.warn("no figures: " + problem);
   }
+  add_report(directory, input, console);
   if (!options.quiet)
     std::cout << report(input, analysis, console.warnings()) << "\nResults in "
               << directory.string() << "\n";
@@ -113,11 +129,14 @@ int compare_case(RunOptions options, KeyPlaces& places)
     if (!problem.empty())
       console.warn("no figures: " + problem);
   };
+  std::size_t told = 0; // warnings of the waters before
   const auto done = [&](const coupling::ComparedWater& water)
   {
     if (!speaks)
       return;
-    write_run(directory / water.name, water.input, water.analysis);
+    write_run(directory / water.name, water.input, water.analysis,
+              std::span(console.warnings()).subspan(told));
+    told = console.warnings().size();
     if (input.output.figures && !water.analysis.interrupted)
       draw(draw_figures(directory / water.name));
   };
@@ -130,9 +149,17 @@ int compare_case(RunOptions options, KeyPlaces& places)
   write_comparison(directory, comparison);
   if (input.output.figures)
     draw(draw_comparison(directory));
+  add_report(directory, input, console);
   if (!options.quiet)
     std::cout << comparison_report(comparison) << "\nResults in " << directory.string() << "\n";
   return code;
+}
+
+int report_directory(const std::string& directory)
+{
+  write_report(directory);
+  std::cout << "Report in " << (std::filesystem::path(directory) / "report.html").string() << "\n";
+  return exit_ok;
 }
 
 int check_case(const RunOptions& options, KeyPlaces& places)
@@ -251,6 +278,10 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   StudyOptions study_options;
   CLI::App* study = app.add_subcommand("study", "Run a case for many values of its keys");
   add_study_options(*study, study_options);
+  CLI::App* report =
+      app.add_subcommand("report", "Write report.html into a directory of results, again");
+  std::string report_of;
+  report->add_option("DIR", report_of, "What --out named")->required();
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
   add_case_options(*check, options);
   std::string new_case, kind = "embankment", format = "md";
@@ -293,6 +324,8 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   }
   else if (study->parsed())
     code = run_study(study_options, places);
+  else if (report->parsed())
+    code = report_directory(report_of);
   else if (check->parsed())
     code = check_case(options, places);
   else if (reference->parsed())

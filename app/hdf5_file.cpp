@@ -172,10 +172,16 @@ std::vector<double> Hdf5Reader::values(const std::string& path) const
   return values;
 }
 
-double Hdf5Reader::attribute(const char* name) const
+bool Hdf5Reader::has(const std::string& path) const
+{
+  return Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose).ok();
+}
+
+double Hdf5Reader::attribute(const char* name, const std::string& path) const
 {
   double value = 0;
-  const Handle attribute(H5Aopen(file_, name, H5P_DEFAULT), H5Aclose);
+  const Handle attribute(H5Aopen_by_name(file_, path.c_str(), name, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
   if (!attribute.ok() || H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
     fail(std::string("attribute ") + name + " cannot be read");
   return value;

@@ -64,7 +64,9 @@ public:
 
   /// All values of a data set, row by row.
   [[nodiscard]] std::vector<double> values(const std::string& path) const;
-  [[nodiscard]] double attribute(const char* name) const; ///< of the file itself
+  /// Of the file itself, or of a group.
+  [[nodiscard]] double attribute(const char* name, const std::string& path = "/") const;
+  [[nodiscard]] bool has(const std::string& path) const; ///< such a group or data set
 
 private:
   [[noreturn]] void fail(const std::string& what) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study/child_processes.h"
 #include "app/cli.h"
 #include "app/process_team.h"
+#include "app/study/child_processes.h"
 #include "app/threads.h"
 #include "core/error.h"
 

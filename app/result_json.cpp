@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/result_json.h"
 
+#include "app/inputs_json.h"
 #include "app/json_points.h"
 #include "app/readings_json.h"
 #include "app/version.h"
@@ -36,27 +37,6 @@ Json or_null(const std::optional<T>& value)
 Json seconds(const Seconds& s)
 {
   return {{"wall", s.wall}, {"cpu", s.cpu}};
-}
-
-/// What a boundary on a stretch of the section is.
-const char* kind_name(seepage::BoundaryKind kind)
-{
-  switch (kind)
-  {
-  case seepage::BoundaryKind::impervious:
-    return "impervious";
-  case seepage::BoundaryKind::head:
-    return "head";
-  case seepage::BoundaryKind::seepage_face:
-    return "seepage_face";
-  case seepage::BoundaryKind::inflow:
-    return "inflow";
-  case seepage::BoundaryKind::rain:
-    return "rain";
-  case seepage::BoundaryKind::overflow:
-    break;
-  }
-  return "overflow";
 }
 
 Json section_json(const coupling::Case& input, const meshes::Section& s)
@@ -429,7 +409,8 @@ bool complete(const coupling::Case& input, const coupling::Analysis& analysis)
   return factor_found && at_rest && !analysis.interrupted;
 }
 
-Json result_json(const coupling::Case& input, const coupling::Analysis& analysis)
+Json result_json(const coupling::Case& input, const coupling::Analysis& analysis,
+                 std::span<const std::string> warnings)
 {
   Json json = {{"berm", version()},
                {"format", 1},
@@ -437,6 +418,8 @@ Json result_json(const coupling::Case& input, const coupling::Analysis& analysis
                {"case", {{"path", input.path}, {"overrides", input.overrides}}},
                {"complete", complete(input, analysis)},
                {"interrupted", analysis.interrupted},
+               {"warnings", std::vector<std::string>(warnings.begin(), warnings.end())},
+               {"inputs", inputs_json(input, analysis.section)},
                {"section", section_json(input, analysis.section)}};
   if (analysis.seepage)
     json["seepage"] = seepage_json(input, analysis);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,10 @@ particle_steps_per_cpu_second(const coupling::Analysis& analysis);
 
 /// @brief The contract for scripts: docs/output_format.md. Times are under "seconds" and in
 /// "performance" only; all else is the same, bit for bit, when a run is repeated.
+/// @param[in] warnings  What was warned of on the way.
 /// @throws NumericalError naming the first value that is not finite.
-[[nodiscard]] Json result_json(const coupling::Case& input, const coupling::Analysis& analysis);
+[[nodiscard]] Json result_json(const coupling::Case& input, const coupling::Analysis& analysis,
+                               std::span<const std::string> warnings = {});
 
 /// @brief JSON with a line for each member, but points and lists of points on one line.
 [[nodiscard]] std::string json_text(const Json& json, std::size_t indent = 0);

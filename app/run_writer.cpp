@@ -36,6 +36,7 @@ constexpr std::array our_files = {"case.toml",
                                   "phreatic_lines.csv",
                                   "exit_gradients.csv",
                                   "mesh.msh",
+                                  "report.html",
                                   "result.json"};
 
 fs::path aside(const fs::path& path)
@@ -112,7 +113,7 @@ void write_aside(const fs::path& path, const std::string& text)
 }
 
 void write_run(const fs::path& directory, const coupling::Case& input,
-               const coupling::Analysis& analysis)
+               const coupling::Analysis& analysis, std::span<const std::string> warnings)
 {
   prepare_directory(directory);
   const std::vector<fs::path> paths = files_of(directory, input);
@@ -138,7 +139,8 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                run_out_xdmf(*analysis.run_out, analysis.stability->particles.size()));
   else
     remove_frames(directory);
-  write_text(aside(directory / "result.json"), json_text(result_json(input, analysis)) + "\n");
+  write_text(aside(directory / "result.json"),
+             json_text(result_json(input, analysis, warnings)) + "\n");
   for (const fs::path& path : paths)
   {
     std::error_code error;

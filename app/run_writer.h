@@ -4,6 +4,7 @@
 #include "coupling/analysis.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace berm::app
@@ -24,7 +25,8 @@ void write_aside(const std::filesystem::path& path, const std::string& text);
 /// result.json.
 /// Each is written aside and then renamed; files of an earlier run that this run has no match for
 /// are removed, other files stay as they are.
+/// @param[in] warnings  What was warned of on the way, for result.json.
 /// @throws NumericalError if a value is not finite (nothing is replaced then); IoError.
 void write_run(const std::filesystem::path& directory, const coupling::Case& input,
-               const coupling::Analysis& analysis);
+               const coupling::Analysis& analysis, std::span<const std::string> warnings = {});
 } // namespace berm::app

@@ -1,10 +1,12 @@
 # shellcheck shell=bash
 # Sourced by run.sh and test.sh: install what is missing, configure the release preset once.
 
-# Name every package of the list that is not installed.
+# Name every package of the list that is not installed. An npm from elsewhere will do: Debian's would
+# not install beside it.
 missing_packages() {
   local package
   grep -v '^#' cmake/debian-packages.txt | while read -r package; do
+    [ "$package" = npm ] && command -v npm >/dev/null && continue
     [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
   done
 }

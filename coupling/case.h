@@ -71,7 +71,8 @@ struct Output
   Polyline probes; ///< where to print head and pore pressure [m]
   std::vector<OutputLine> lines;
   bool figures = true;
-  bool msh = false; ///< the seepage mesh as a file of gmsh
+  bool msh = false;   ///< the seepage mesh as a file of gmsh
+  bool report = true; ///< whether to write report.html
 };
 
 /// A validated case: SI, radians, every field set. docs/case_reference.md lists the keys.

@@ -75,7 +75,8 @@ Study plan(const StudyOptions& options, KeyPlaces& places)
   study.overrides = options.overrides;
   study.design = options.design;
   study.seepage_only = options.seepage_only;
-  std::vector<std::string> fixed{"output.figures=false"}; // unless --set says otherwise
+  std::vector<std::string> fixed{"output.figures=false",
+                                 "output.report=false"}; // unless --set says otherwise
   fixed.insert(fixed.end(), options.overrides.begin(), options.overrides.end());
   if (auto file = absolute_mesh_file(document, options.case_path))
     fixed.push_back(std::move(*file));

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/result_json.h"
+
+#include <filesystem>
+
+namespace berm::app
+{
+/// @brief What the report page shows of a directory that `berm run`, `berm seepage` or
+/// `berm compare` wrote: `kind` ("run" or "comparison"), the JSON files as they are, the fields
+/// packed (app/packed_array.h).
+/// @throws InputError if the directory is missing or holds neither kind of result, or one that
+/// cannot be read; IoError if a file beside it cannot be read.
+[[nodiscard]] Json report_data(const std::filesystem::path& directory);
+} // namespace berm::app
