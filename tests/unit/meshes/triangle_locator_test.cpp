@@ -3,6 +3,7 @@
 
 #include "tests/support/meshes.h"
 
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <random>
@@ -84,5 +85,35 @@ TEST(TriangleLocator, MovesAnOutsidePointToTheNearestPointOfTheMesh)
   EXPECT_NEAR(value(mesh, at, [](const Vec2& p) { return p.x(); }), 7.3, 1e-12);
   EXPECT_NEAR(value(mesh, at, [](const Vec2& p) { return p.y(); }), 10, 1e-12);
   EXPECT_EQ(locator.locate({7.3, 12}, 1).triangle, -1);
+}
+
+TEST(TriangleLocator, AgreesWithBruteForceWhereAMeshIsMuchFinerInACorner)
+{
+  TriangleMesh mesh = tests::rectangle_mesh(build_section(tests::rectangle_input(1, 1)), 40, 40);
+  for (Vec2& node : mesh.nodes)
+    node = node.array().pow(4); // elements of 4e-7 beside one corner, of 0.1 at the other
+  const TriangleLocator locator(mesh);
+  const auto corner = [&](std::size_t t, std::size_t a) -> const Vec2&
+  { return mesh.nodes[static_cast<std::size_t>(mesh.triangles[t][a])]; };
+  const auto holds = [&](std::size_t t, const Vec2& p)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (polygon_area({corner(t, a), corner(t, (a + 1) % 3), p}) < 0)
+        return false;
+    return true;
+  };
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> logarithm(-14, 0);
+  for (int k = 0; k < 2000; ++k)
+  {
+    const Vec2 point(std::exp(logarithm(engine)), std::exp(logarithm(engine)));
+    const auto at = locator.locate(point, 0.1);
+    ASSERT_GE(at.triangle, 0);
+    EXPECT_EQ(at.shift, 0);
+    EXPECT_TRUE(holds(static_cast<std::size_t>(at.triangle), point)) << point.transpose();
+    const auto below = locator.locate({point.x(), -0.05}, 0.1);
+    EXPECT_NEAR(below.shift, 0.05, 1e-12);
+    EXPECT_NEAR(value(mesh, below, [](const Vec2& p) { return p.x(); }), point.x(), 1e-12);
+  }
 }
 } // namespace berm::meshes
