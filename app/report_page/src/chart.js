@@ -5,6 +5,7 @@ import { scaleLinear, scaleLog } from "d3-scale";
 import { select } from "d3-selection";
 import { h, s } from "./dom.js";
 import { number, power } from "./numbers.js";
+import { followWidth } from "./paper.js";
 import { saveButtons } from "./save.js";
 import { axisName, styleAxis } from "./view.js";
 
@@ -44,9 +45,7 @@ export function chart({ title, x, y, series, bands = [], verticals = [], height 
     legend.append(h("span", { class: "item" }, swatch(one), one.label));
   }
   const root = h("figure", { class: "view chart" }, h("div", { class: "controls" }, h("strong", { class: "figure-title" }, title), h("span", { class: "push" }), saveButtons(view)), stage, legend);
-  const draw = () => {
-    const width = Math.floor(stage.clientWidth);
-    if (!width || width === view.width) return;
+  const draw = (width) => {
     Object.assign(view, { width, height });
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const all = drawn.flatMap((one) => one.points);
@@ -71,7 +70,7 @@ export function chart({ title, x, y, series, bands = [], verticals = [], height 
     }
     for (const one of drawn) svg.append(...curve(one, xs, ys, x, y));
   };
-  new ResizeObserver(draw).observe(stage);
+  followWidth(stage, draw);
   return root;
 }
 

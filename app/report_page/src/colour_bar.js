@@ -8,8 +8,9 @@ import { s } from "./dom.js";
 export function drawBar(group, field, left, top, width) {
   const { colours } = field, bar = s("g", { transform: `translate(${left},${top})` });
   group.append(bar);
-  bar.append(s("text", { x: 0, y: 11, "font-size": 12, fill: "#1d2327" }, field.title));
-  const y = 17, height = 11;
+  const parts = 6.4 * field.title.length > width ? field.title.split(/(?<=[;:]) /) : [field.title];
+  parts.forEach((part, i) => bar.append(s("text", { x: 0, y: 11 + 15 * i, "font-size": 12, fill: "#1d2327" }, part)));
+  const y = 2 + 15 * parts.length, height = 11;
   if (colours.steps) {
     let x = 0;
     field.names.forEach((name, i) => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { comparisonPage } from "./comparison_page.js";
+import { preparePaper } from "./paper.js";
 import { runPage } from "./run_page.js";
 
 // A further kind of result is a further page here, and a line in app/report_data.cpp.
@@ -8,6 +9,5 @@ const PAGES = { run: runPage, comparison: comparisonPage };
 const data = JSON.parse(document.getElementById("data").textContent);
 PAGES[data.kind](data, document.getElementById("page"));
 
-// On paper everything is open.
-window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+preparePaper();
 document.documentElement.dataset.ready = "true";

@@ -16,7 +16,7 @@ export function provenance(data) {
     h("details", { id: "case" }, h("summary", {}, "Text of the case file"), h("pre", { class: "scroll", tabindex: "0" }, data.case.text)),
     h("details", {}, h("summary", {}, "Versions"), h("pre", { class: "scroll" }, `This page was written by\n${data.version}`)),
     data.result && times(result),
-    h("details", {}, h("summary", {}, "Libraries in this page"), h("pre", { class: "scroll", tabindex: "0" }, licences)),
+    h("details", { class: "screen" }, h("summary", {}, "Libraries in this page"), h("pre", { class: "scroll", tabindex: "0" }, licences)),
     h("p", { class: "note" }, "This page stands alone: it loads nothing. Drawn with d3 and fflate."));
 }
 

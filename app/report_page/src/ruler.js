@@ -6,6 +6,7 @@ import { select } from "d3-selection";
 import { INK, RED } from "./colours.js";
 import { h, s } from "./dom.js";
 import { factor } from "./numbers.js";
+import { followWidth } from "./paper.js";
 import { axisName, styleAxis } from "./view.js";
 
 /** rows: { label, colour, factor, stands, fails, low, high, marks: [{ at, text }] }. */
@@ -13,11 +14,7 @@ export function ruler(rows, title) {
   const svg = s("svg", { role: "img", "aria-label": title });
   const stage = h("div", { class: "chart-stage" }, svg);
   const all = rows.flatMap((r) => [r.low, r.high, r.stands, r.fails, r.factor, ...(r.marks ?? []).map((m) => m.at)]).filter((v) => v !== null && v !== undefined);
-  let last = 0;
-  const draw = () => {
-    const width = Math.floor(stage.clientWidth);
-    if (!width || width === last) return;
-    last = width;
+  const draw = (width) => {
     const narrow = width < 560, step = narrow ? 46 : 34, left = narrow ? 12 : 12 + 6.6 * Math.max(...rows.map((r) => r.label.length)), right = 58;
     const height = rows.length * step + 44, low = Math.min(1, ...all), high = Math.max(1, ...all), room = 0.04 * (high - low);
     const x = scaleLinear([low - room, high + room], [left, width - right]);
@@ -40,6 +37,6 @@ export function ruler(rows, title) {
       svg.append(s("text", { x: width - right + 8, y: y + 4, "font-size": 13, "font-weight": 600, fill: INK }, row.factor === null ? "none" : factor(row.factor)));
     });
   };
-  new ResizeObserver(draw).observe(stage);
+  followWidth(stage, draw);
   return h("figure", { class: "view chart" }, stage);
 }

@@ -99,12 +99,12 @@ export function seepageLayers(result, on = true) {
 }
 
 /** Slip line, fitted circle and the critical circle of limit equilibrium. */
-export function slipLayers(result, found = result.stability) {
+export function slipLayers(result, found, which = "") {
   const layers = [], circle = found?.limit_equilibrium, mechanism = found?.mechanism;
-  if (circle) layers.push({ label: `critical circle, limit equilibrium (Bishop ${number(circle.bishop, 4)})`, lines: [arc(circle, result.section)], look: { stroke: GREEN, width: 1.8, dash: "7 4" } });
+  if (circle) layers.push({ label: `critical circle, limit equilibrium (Bishop ${number(circle.bishop, 4)})${which}`, lines: [arc(circle, result.section)], look: { stroke: GREEN, width: 1.8, dash: "7 4" } });
   if (mechanism) {
-    layers.push({ label: "slip line", lines: [mechanism.slip_line_m], look: { stroke: ORANGE, width: 2.6 } });
-    if (mechanism.circle) layers.push({ label: "circle fitted to it", circle: { centre: mechanism.circle.centre_m, radius: mechanism.circle.radius_m }, look: { stroke: ORANGE, width: 1, dash: "2 3" }, on: false });
+    layers.push({ label: `slip line${which}`, lines: [mechanism.slip_line_m], look: { stroke: ORANGE, width: 2.6 } });
+    if (mechanism.circle) layers.push({ label: `circle fitted to the slip line${which}`, circle: { centre: mechanism.circle.centre_m, radius: mechanism.circle.radius_m }, look: { stroke: ORANGE, width: 1, dash: "2 3" }, on: false });
   }
   return layers;
 }

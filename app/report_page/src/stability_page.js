@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { interpolateBlues, interpolateGreys, interpolateOranges } from "d3-scale-chromatic";
 import { BLUE, GREY, ORANGE } from "./colours.js";
 import { chart } from "./chart.js";
 import { bracketText, rangeText } from "./answer.js";
@@ -9,6 +10,7 @@ import { boxOf, outlineLayers, poolLayers, seepageLayers, slipLayers } from "./s
 import { lazily } from "./unpack.js";
 import { View } from "./view.js";
 
+const SHADES = { stands: interpolateBlues, fails: interpolateOranges, undecided: interpolateGreys };
 const LOOK = { stands: [BLUE, "dot", "stands"], fails: [ORANGE, "cross", "fails"], undecided: [GREY, "ring", "undecided"] };
 
 export function stability({ result, particles }) {
@@ -35,7 +37,7 @@ function picture(result, particles) {
   show();
   const water = result.stability.free_surface_m;
   view.setLayers([...poolLayers(result.section), ...outlineLayers(result), ...seepageLayers(result, false).filter((l) => l.label === "phreatic line"),
-    { label: "assumed water line", lines: water.length ? [water] : [], look: { stroke: BLUE, width: 2, dash: "8 3 2 3" } }, ...slipLayers(result)]);
+    { label: "assumed water line", lines: water.length ? [water] : [], look: { stroke: BLUE, width: 2, dash: "8 3 2 3" } }, ...(result.stability.searches ?? [result.stability]).flatMap((found, i, all) => slipLayers(result, found, all.length > 1 ? `, ${found.region}` : ""))]);
   return view.root;
 }
 
@@ -70,7 +72,12 @@ function againstFactor(found) {
 function courses(found) {
   const some = found.trials.filter((t) => t.history.time_s.length);
   if (!some.length) return null;
-  const series = some.map((t) => ({ label: `${number(t.factor, 5)} ${t.outcome}`, colour: LOOK[t.outcome][0], dash: t.outcome === "undecided" ? "4 3" : null, points: [[0, 0], ...t.history.time_s.map((time, i) => [time, t.history.max_displacement_m[i]])] }));
+  // Lighter to darker with the factor, so that the curves of one outcome are told apart.
+  const shade = (t) => {
+    const same = some.filter((o) => o.outcome === t.outcome).map((o) => o.factor).sort((a, b) => a - b);
+    return same.length < 2 ? LOOK[t.outcome][0] : SHADES[t.outcome](0.35 + (0.6 * same.indexOf(t.factor)) / (same.length - 1));
+  };
+  const series = [...some].sort((a, b) => a.factor - b.factor).map((t) => ({ label: `${number(t.factor, 5)} ${t.outcome}`, colour: shade(t), dash: t.outcome === "undecided" ? "4 3" : null, points: [[0, 0], ...t.history.time_s.map((time, i) => [time, t.history.max_displacement_m[i]])] }));
   return chart({ title: "Course of each trial", x: { title: "simulated time [s]" }, y: { title: "largest displacement [m]" }, series });
 }
 

@@ -8,11 +8,12 @@ import { INK } from "./colours.js";
 import { drawBar } from "./colour_bar.js";
 import { h, s } from "./dom.js";
 import { fixed } from "./numbers.js";
+import { followWidth } from "./paper.js";
 import { Raster } from "./raster.js";
 import { saveButtons } from "./save.js";
 
 const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
-const BAR = 52; // height of the colour bar with its text
+const BAR = 52, BAR_NARROW = 68; // height of the colour bar with its text
 let views = 0;
 
 export class View {
@@ -40,10 +41,9 @@ export class View {
       button("Zoom in", "+", () => this.zoomBy(1.6)), button("Zoom out", "\u2212", () => this.zoomBy(1 / 1.6)),
       button("Show all", "\u2922", () => this.reset()));
     this.root = h("figure", { class: "view" },
-      h("div", { class: "controls" }, controls, h("span", { class: "push" }), zoomButtons, saveButtons(this)), this.stage, this.legend);
+      h("div", { class: "controls" }, controls, h("span", { class: "push" }), h("span", { class: "tools" }, zoomButtons, saveButtons(this))), this.stage, this.legend);
     this.listen();
-    this.watch = new ResizeObserver(() => this.layout());
-    this.watch.observe(this.stage);
+    followWidth(this.stage, (width) => this.layout(width));
   }
 
   listen() {
@@ -120,15 +120,13 @@ export class View {
     return h("label", { class: "item" }, box, swatch, layer.label);
   }
 
-  layout() {
-    const width = Math.floor(this.stage.clientWidth);
-    if (!width || width === this.width) return;
+  layout(width) {
     this.width = width;
     const { x, y } = this.box, plotWidth = width - MARGIN.left - MARGIN.right;
     const ratio = (y[1] - y[0]) / (x[1] - x[0]);
     const plotHeight = Math.round(Math.max(120, Math.min(plotWidth * ratio, 560)));
     this.plot = { width: plotWidth, height: plotHeight };
-    this.height = MARGIN.top + plotHeight + MARGIN.bottom + (this.hasBar ? BAR : 0);
+    this.height = MARGIN.top + plotHeight + MARGIN.bottom + (this.hasBar ? (plotWidth < 480 ? BAR_NARROW : BAR) : 0);
     this.fit = Math.min(plotWidth / (x[1] - x[0]), plotHeight / (y[1] - y[0]));
     this.svg.setAttribute("viewBox", `0 0 ${width} ${this.height}`);
     this.stage.style.aspectRatio = `${width} / ${this.height}`;
@@ -141,7 +139,7 @@ export class View {
     });
     const extent = [[MARGIN.left, MARGIN.top], [MARGIN.left + plotWidth, MARGIN.top + plotHeight]];
     this.zoom.extent(extent).translateExtent(extent);
-    this.redrawSoon();
+    this.redraw();
   }
 
   redrawSoon() {
