@@ -42,7 +42,7 @@ std::string text_of(const fs::path& path)
 Json read_json(const fs::path& path, const char* must_have)
 {
   Json json = Json::parse(text_of(path), nullptr, false);
-  if (!json.is_object() || json.value("format", 0) != 1 || !json.contains(must_have))
+  if (!json.is_object() || !json.contains("format") || json["format"] != 1 || !json.contains(must_have))
     refuse(path, "is not a result of this version of berm", "run the case again");
   return json;
 }

@@ -10,8 +10,8 @@ import time
 import unittest
 import xml.etree.ElementTree
 
-from berm_cli import (BERM, CAN_PLOT, CASES, COARSE, DRY, HAS_SEEPAGE, NO_FIGURES, SOURCE, BermTest,
-                      without_times)
+from berm_cli import (BERM, CAN_PLOT, CASES, COARSE, DRY, HAS_REPORT, HAS_SEEPAGE, NO_FIGURES,
+                      SOURCE, BermTest, without_times)
 
 
 class Cli(BermTest):
@@ -162,6 +162,29 @@ class Cli(BermTest):
             self.assertIn(out, err)
             self.assertLess(time.monotonic() - started, 5)
 
+    def test_a_report_needs_a_directory_of_results(self):
+        if not HAS_REPORT:
+            _, err = self.berm("report", ".", code=4)
+            self.assertIn("BERM_WITH_REPORT", err)
+            return
+        _, err = self.berm("report", "nowhere", code=2)
+        self.assertIn("nowhere: is not a directory", err)
+        _, err = self.berm("report", ".", code=2)
+        self.assertIn("neither result.json nor comparison.json", err)
+        self.write("{}", "result.json")
+        _, err = self.berm("report", ".", code=2)
+        self.assertIn("is not a result of this version of berm", err)
+
+    def test_a_report_is_written_again_and_only_if_wanted(self):
+        if not HAS_REPORT:
+            return
+        self.berm("run", DRY, *COARSE, *NO_FIGURES, "--set", "output.report=false", "--out", "out")
+        page = self.dir / "out" / "report.html"
+        self.assertFalse(page.exists())
+        self.berm("report", "out")
+        self.assertLess(page.stat().st_size, 6e6)
+        self.assertIn("Content-Security-Policy", page.read_text())
+
     def test_a_full_standard_output_is_not_success(self):
         with open("/dev/full", "w", encoding="ascii") as full:
             command = [BERM, "reference"]
@@ -175,7 +198,8 @@ class Cli(BermTest):
         directory = self.dir / "results" / "two_sided_embankment_dry"
         files = {"case.toml", "result.json", "results.h5", "results_particles.xdmf"}
         figures = {"slip.png", "trials.png", "curves.png"} if CAN_PLOT else set()
-        self.assertEqual({p.name for p in directory.iterdir()}, files | figures)
+        report = {"report.html"} if HAS_REPORT else set()
+        self.assertEqual({p.name for p in directory.iterdir()}, files | figures | report)
         self.assertEqual((directory / "case.toml").read_bytes(), pathlib.Path(DRY).read_bytes())
         xml.etree.ElementTree.parse(directory / "results_particles.xdmf")
         result = self.result(directory)

@@ -111,7 +111,7 @@ function pressures(comparison, waters) {
     fields[`minus-${w.name}`] = () => differenceField(base.result, base.particles, minus(w), `Pore pressure: seepage minus ${w.title} [kPa]`);
   }
   for (const w of waters.filter((x) => x.particles)) {
-    options[`pressure-${w.name}`] = `pore pressure, ${w.title}`;
+    if (extremes(w.particles.pore_pressure)[1] > 0) options[`pressure-${w.name}`] = `pore pressure, ${w.title}`;
     fields[`pressure-${w.name}`] = () => {
       const field = particleFields(w.result, w.particles, null).pressure();
       return { ...field, title: `Pore pressure, ${w.title} [kPa]`, colours: colourScale("water", [0, most]) };

@@ -84,6 +84,7 @@ export function particleFields(result, particles, state) {
       return { title: "Pore pressure at the particles [kPa]", colours: wet(kPa), draw: draw(kPa), value: named("pore pressure", "kPa") };
     },
   };
+  if (extremes(particles.pore_pressure)[1] <= 0) delete fields.pressure; // there is no water
   if (!state) return fields;
   return {
     strain: () => make("Plastic strain (deviatoric, accumulated) [-]", "plastic strain", "", state.plastic_strain, "strain", [0, Math.max(quantile(state.plastic_strain, 0.998), 1e-6)]),

@@ -26,11 +26,12 @@ function picture(result, particles) {
   const states = Object.fromEntries(Object.entries(particles.states).map(([name, state]) => [name, lazily(state)]));
   const names = Object.keys(states);
   if (!names.length) return null;
-  const now = { state: states.failing ? "failing" : names[names.length - 1], field: states.failing ? "strain" : "pressure" };
+  const now = { state: states.failing ? "failing" : names[names.length - 1], field: states.failing ? "strain" : "vertical" };
   const show = () => view.setField(particleFields(result, particles, states[now.state])[now.field]());
+  const there = particleFields(result, particles, states[now.state]);
   const view = new View({
     box: boxOf(result.section), title: "Stability",
-    controls: [h("strong", { class: "figure-title" }, "Particles"), choice("Field", PARTICLE_FIELDS, (f) => ((now.field = f), show()), now.field),
+    controls: [h("strong", { class: "figure-title" }, "Particles"), choice("Field", Object.fromEntries(Object.entries(PARTICLE_FIELDS).filter(([name]) => name in there)), (f) => ((now.field = f), show()), now.field),
       choice("State", Object.fromEntries(names.map((n) => [n, stateName(n, states[n])])), (n) => ((now.state = n), show()), now.state)],
   });
   view.root.id = "stability-view";
@@ -89,7 +90,7 @@ function trials(found) {
   return [h("h3", {}, "Every trial"),
     table([num("F"), { title: "outcome" }, { title: "evidence" }, num("moved [m]"), num("velocity measure [-]"), num("time [s]"), num("steps")],
       found.trials.map((t) => ({ look: end(t) ? "end" : null, cells: [number(t.factor, 5), h("span", { class: `outcome ${t.outcome}` }, t.interrupted ? "stopped" : t.outcome), t.reason, number(t.max_displacement_m, 3), number(t.velocity_measure, 2), fixed(t.time_s, 2), String(t.steps)] })), "Trials"),
-    h("p", { class: "note" }, "Bold: the ends of the bracket.")];
+    h("p", { class: "note" }, "Bold: the ends of the bracket. T0: the time that a shear wave takes over the height of the section. Velocity measure: below 0.001 the soil counts as at rest.")];
 }
 
 function uncertainty({ uncertainty: u }) {
