@@ -18,9 +18,11 @@ ColumnWeights::ColumnWeights(const meshes::Section& section, std::span<const sph
 {
   below_.reserve((pieces + 1) * (pieces + 1));
   std::vector<double> x(pieces), y(pieces);
+  const double inside = 1e-9 * dx_; // on the section's ends a point may belong to no zone
   for (std::size_t i = 0; i <= pieces; ++i)
   {
-    std::ranges::fill(x, std::min(x_min_ + static_cast<double>(i) * dx_, section.x_max));
+    std::ranges::fill(x, std::clamp(x_min_ + static_cast<double>(i) * dx_, section.x_min + inside,
+                                    section.x_max - inside));
     const double base = meshes::base_level(section, x.front()),
                  ground = meshes::ground_level(section, x.front());
     for (std::size_t j = 0; j < pieces; ++j) // above the ground and below the base as there

@@ -23,7 +23,7 @@ FOLDERS = set(MAY_INCLUDE) | {"tests", "bench"}
 LIBRARIES = [
     (r"(dolfinx|basix)[/.].*|petsc.*\.h|ufcx\.h", "seepage/*.cpp", None,
      "a new dolfinx must touch few files"),
-    (r"gmsh\.h.*", "meshes/*.cpp", 3, "a new gmsh must touch few files"),
+    (r"gmsh\.h.*", "meshes/[gm][me]s*.cpp", 3, "a new gmsh must touch few files"),
     (r"toml\+\+/.*|toml\.hpp", "app/*.cpp", 1, "one user of TOML"),
     (r"hdf5.*\.h|H5.*", "app/*.cpp", 1, "one user of HDF5"),
 ]

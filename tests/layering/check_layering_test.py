@@ -34,7 +34,7 @@ PLANTED = [
     ("sph/a.cpp", '#include "fill.h"\n', "not written from the root"),
     ("seepage/a.h", "#include <dolfinx/fem/Form.h>\n", "allowed only in seepage/*.cpp"),
     ("coupling/a.cpp", "#include <petscvec.h>\n", "allowed only in seepage/*.cpp"),
-    ("meshes/section.cpp", "#include <gmsh.h>\n", "allowed only in meshes/mesher.cpp"),
+    ("meshes/section.cpp", "#include <gmsh.h>\n", "allowed only in meshes/[gm][me]s*.cpp"),
     ("coupling/a.cpp", "#include <toml++/toml.h>\n", "allowed only in app/*.cpp"),
     ("app/a.cpp", "#include <toml++/toml.h>\n", "one user of TOML, so 1 file only"),
     ("app/a.cpp", "#include <hdf5.h>\n", "one user of HDF5, so 1 file only"),

@@ -20,7 +20,8 @@ class GmshFile : public testing::Test
 protected:
   std::filesystem::path written(const std::string& text, const char* name = "drawing.geo")
   {
-    path_ = std::filesystem::path(testing::TempDir()) / name;
+    const char* test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    path_ = std::filesystem::path(testing::TempDir()) / (std::string(test) + "_" + name);
     std::ofstream(path_) << text << '\n';
     return path_;
   }
