@@ -13,9 +13,8 @@ export const soilColour = (i) => SOILS[i % SOILS.length];
 const paler = (map, white) => (t) => `rgb(${rgb(map(t)).map((v) => Math.round(v + white * (255 - v))).join(",")})`;
 
 const MAPS = {
-  viridis: interpolateViridis,
-  head: paler(interpolateViridis, 0.28), // lines have to be seen on it
-  cividis: interpolateCividis,
+  viridis: paler(interpolateViridis, 0.28), // lines have to be seen on it
+  cividis: paler(interpolateCividis, 0.28),
   water: (t) => interpolateYlGnBu(0.06 + 0.9 * t),
   strain: (t) => interpolateMagma(1 - 0.92 * t),
   diverging: (t) => interpolatePuOr(1 - t),

@@ -37,7 +37,7 @@ export function meshFields(mesh, sharp) {
       };
       return {
         title: `Hydraulic head above y = 0 [m]${dry ? "; pale: above the phreatic line" : ""}`, draw,
-        colours: colourScale("head", extremes(mesh.head), dry ? DRY : null),
+        colours: colourScale("viridis", extremes(mesh.head), dry ? DRY : null),
         value: (v) => (v === -Infinity ? "above the phreatic line" : named("head", "m")(v)),
       };
     },
@@ -48,7 +48,7 @@ export function meshFields(mesh, sharp) {
     flux: () => {
       const high = quantile(mesh.log_flux, 0.998), low = Math.max(high - 3.5, quantile(mesh.log_flux, 0.01));
       return {
-        title: "Size of the Darcy flux [m/s], logarithmic", colours: colourScale("cividis", [low, high]), ...logTicks(low, high),
+        title: "Size of the Darcy flux [m/s], logarithmic", colours: colourScale("strain", [low, high]), ...logTicks(low, high),
         draw: (raster) => raster.triangles(mesh, mesh.log_flux, false), value: (v) => `flux ${number(10 ** v, 3)} m/s`,
       };
     },

@@ -10,27 +10,25 @@ export class Raster {
 
   /** Triangles, linear between their nodes (`nodal`), or of one value each. */
   triangles(mesh, values, nodal) {
-    const { x, y, triangles } = mesh, { width, height, scale, left, top } = this;
+    const { triangles } = mesh, { width, height, scale, left, top } = this, out = this.values;
+    const x = Float64Array.from(mesh.x, (v) => scale * v + left), y = Float64Array.from(mesh.y, (v) => top - scale * v);
+    const least = -1e-3; // borders between triangles leave no gaps
     for (let t = 0, n = triangles.length / 3; t < n; ++t) {
       const a = triangles[3 * t], b = triangles[3 * t + 1], c = triangles[3 * t + 2];
-      const ax = scale * x[a] + left, ay = top - scale * y[a];
-      const bx = scale * x[b] + left, by = top - scale * y[b];
-      const cx = scale * x[c] + left, cy = top - scale * y[c];
-      const x0 = Math.max(0, Math.floor(Math.min(ax, bx, cx))), x1 = Math.min(width - 1, Math.ceil(Math.max(ax, bx, cx)));
-      const y0 = Math.max(0, Math.floor(Math.min(ay, by, cy))), y1 = Math.min(height - 1, Math.ceil(Math.max(ay, by, cy)));
+      const ax = x[a], ay = y[a], bx = x[b], by = y[b], cx = x[c], cy = y[c];
+      // The pixels whose centres may lie inside.
+      const x0 = Math.max(0, Math.ceil(Math.min(ax, bx, cx) - 0.51)), x1 = Math.min(width - 1, Math.floor(Math.max(ax, bx, cx) - 0.49));
+      const y0 = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.51)), y1 = Math.min(height - 1, Math.floor(Math.max(ay, by, cy) - 0.49));
       if (x0 > x1 || y0 > y1) continue;
       const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
       if (area === 0) continue;
-      const va = nodal ? values[a] : values[t], vb = nodal ? values[b] : va, vc = nodal ? values[c] : va;
-      const least = -1e-3; // borders between triangles leave no gaps
+      const bdx = (cy - ay) / area, bdy = -(cx - ax) / area, cdx = -(by - ay) / area, cdy = (bx - ax) / area;
+      const va = nodal ? values[a] : values[t], db = nodal ? values[b] - va : 0, dc = nodal ? values[c] - va : 0;
       for (let row = y0; row <= y1; ++row) {
-        const py = row + 0.5;
+        const dy = row + 0.5 - ay;
         for (let column = x0; column <= x1; ++column) {
-          const px = column + 0.5;
-          const wb = ((px - ax) * (cy - ay) - (cx - ax) * (py - ay)) / area;
-          const wc = ((bx - ax) * (py - ay) - (px - ax) * (by - ay)) / area;
-          const wa = 1 - wb - wc;
-          if (wa >= least && wb >= least && wc >= least) this.values[row * width + column] = wa * va + wb * vb + wc * vc;
+          const dx = column + 0.5 - ax, wb = bdx * dx + bdy * dy, wc = cdx * dx + cdy * dy;
+          if (wb >= least && wc >= least && wb + wc <= 1 - least) out[row * width + column] = va + wb * db + wc * dc;
         }
       }
     }

@@ -24,7 +24,7 @@ function fieldsOf(frames, particles) {
 }
 
 function player(result, frames, particles) {
-  const fields = fieldsOf(frames, particles), radius = 0.72 * spacingOf(result, particles);
+  const fields = fieldsOf(frames, particles), radius = 0.85 * spacingOf(result, particles);
   let now = frames.length - 1, name = "displacement", timer = 0;
   const ends = frames[frames.length - 1], [xl, xr] = extremes(ends.x), [yl, yh] = extremes(ends.y);
   const slider = h("input", { type: "range", min: 0, max: frames.length - 1, value: now, step: 1, "aria-label": "Time", oninput: () => (stop(), go(Number(slider.value))) });

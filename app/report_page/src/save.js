@@ -21,7 +21,20 @@ function standalone(view) {
     s("text", { x: 12, y: -8, "font-size": 14, "font-weight": 600, fill: "#1d2327" }, view.title),
     view.canvas && view.field ? s("image", { x: 46, y: 12, width: view.plot.width, height: view.plot.height, href: view.canvas.toDataURL("image/png") }) : s("g", {}));
   svg.append(...rows);
+  svg.querySelectorAll('g[transform*="scale"]').forEach(fixStrokes);
   return { text: new XMLSerializer().serializeToString(svg), width, height: height + 26 };
+}
+
+/** Widths in the drawing's own units: not every program knows strokes that do not scale. */
+function fixStrokes(group) {
+  const scale = Number(/scale\(([\d.e+-]+)/.exec(group.getAttribute("transform"))[1]);
+  for (const element of [group, ...group.querySelectorAll("*")]) {
+    element.removeAttribute("vector-effect");
+    for (const name of ["stroke-width", "stroke-dasharray"]) {
+      const value = element.getAttribute(name);
+      if (value) element.setAttribute(name, value.split(/[ ,]+/).map((v) => Number(v) / scale).join(" "));
+    }
+  }
 }
 
 function download(blob, name) {
