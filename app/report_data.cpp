@@ -42,7 +42,8 @@ std::string text_of(const fs::path& path)
 Json read_json(const fs::path& path, const char* must_have)
 {
   Json json = Json::parse(text_of(path), nullptr, false);
-  if (!json.is_object() || !json.contains("format") || json["format"] != 1 || !json.contains(must_have))
+  if (!json.is_object() || !json.contains("format") || json["format"] != 1 ||
+      !json.contains(must_have))
     refuse(path, "is not a result of this version of berm", "run the case again");
   return json;
 }
@@ -169,7 +170,7 @@ Json case_data(const fs::path& directory)
 
 Json run_data(const fs::path& directory)
 {
-  const Json result = read_json(directory / "result.json", "section");
+  const Json result = read_json(directory / "result.json", "inputs");
   Json data = {{"kind", "run"}, {"result", result}};
   data["case"] = case_data(directory);
   data["tables"] = tables(directory, result);
@@ -191,7 +192,7 @@ Json comparison_data(const fs::path& directory)
   {
     const fs::path folder = directory / name_in(water, "directory");
     const Hdf5Reader file((folder / "results.h5").string());
-    Json one = {{"result", read_json(folder / "result.json", "section")}};
+    Json one = {{"result", read_json(folder / "result.json", "inputs")}};
     if (file.has("/particles/position"))
       one["particles"] = particle_fields(file);
     data["waters"].push_back(one);

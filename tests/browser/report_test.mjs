@@ -40,7 +40,10 @@ async function open(directory, width = 1280) {
   page.on("console", (message) => heard.push(message.text()));
   page.on("pageerror", (error) => heard.push(String(error)));
   page.on("dialog", (dialog) => (heard.push(dialog.message()), dialog.dismiss()));
-  page.on("request", (request) => /^(data|blob):|report\.html$/.test(request.url()) || heard.push(request.url()));
+  page.on(
+    "request",
+    (request) => /^(data|blob):|report\.html$/.test(request.url()) || heard.push(request.url()),
+  );
   page.heard = heard;
   let quickest = Infinity; // of two: the machine may be busy
   for (let n = 0; n < 2 && quickest > 2000; ++n) {
@@ -54,7 +57,8 @@ async function open(directory, width = 1280) {
   return page;
 }
 
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const drawn = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const pixels = (page, view) => page.$eval(`${view} canvas`, (canvas) => canvas.toDataURL());
 
 /** What choosing does to a picture. */
@@ -65,16 +69,21 @@ async function changes(page, view, act) {
   assert.notEqual(await pixels(page, view), before, "the picture changes");
 }
 
-const choose = (page, view, label, value) => page.locator(view).getByLabel(label, { exact: true }).selectOption(value);
+const choose = (page, view, label, value) =>
+  page.locator(view).getByLabel(label, { exact: true }).selectOption(value);
 
 /** The text under the cursor at a place of the section. */
 async function valueAt(page, view, x, y) {
   const svg = page.locator(`${view} svg.overlay`);
   await svg.scrollIntoViewIfNeeded();
-  const place = await svg.evaluate((element, at) => {
-    const path = element.querySelector("g[transform*=scale]"), matrix = path.getScreenCTM();
-    return [matrix.a * at[0] + matrix.e, matrix.d * at[1] + matrix.f];
-  }, [x, y]);
+  const place = await svg.evaluate(
+    (element, at) => {
+      const path = element.querySelector("g[transform*=scale]"),
+        matrix = path.getScreenCTM();
+      return [matrix.a * at[0] + matrix.e, matrix.d * at[1] + matrix.f];
+    },
+    [x, y],
+  );
   await page.mouse.move(...place);
   return page.locator(`${view} .readout`).textContent();
 }
@@ -87,11 +96,16 @@ async function fitsPhoneAndPaper(directory, page) {
   await phone.close();
   const pdf = (await page.pdf({ format: "A4" })).toString("latin1");
   assert.ok((pdf.match(/\/Type\s*\/Page\b/g) ?? []).length > 0);
-  assert.equal(await page.evaluate(() => document.querySelectorAll("details:not([open])").length > 0), true, "closed again after printing");
+  assert.equal(
+    await page.evaluate(() => document.querySelectorAll("details:not([open])").length > 0),
+    true,
+    "closed again after printing",
+  );
 }
 
 test("a run is shown with its numbers", async () => {
-  const out = berm("run", join(EMBANKMENT, "seepage.toml")), result = json(out, "result.json");
+  const out = berm("run", join(EMBANKMENT, "seepage.toml")),
+    result = json(out, "result.json");
   const page = await open(out);
   assert.equal(await page.title(), `${result.title} \u2013 berm report`);
   assert.equal(await page.textContent("#factor"), `F = ${result.stability.factor.toFixed(3)}`);
@@ -116,7 +130,11 @@ test("a run is shown with its numbers", async () => {
   const whole = await pixels(page, "#seepage-view");
   await changes(page, "#seepage-view", () => page.locator("#seepage-view").getByLabel("Zoom in").click());
   await changes(page, "#seepage-view", () => page.locator("#seepage-view svg.overlay").press("+"));
-  await changes(page, "#seepage-view", async () => (await page.locator("#seepage-view svg.overlay").hover(), page.mouse.wheel(0, -300)));
+  await changes(
+    page,
+    "#seepage-view",
+    async () => (await page.locator("#seepage-view svg.overlay").hover(), page.mouse.wheel(0, -300)),
+  );
   await page.locator("#seepage-view").getByLabel("Show all").click();
   await drawn(page);
   assert.equal(await pixels(page, "#seepage-view"), whole);
@@ -126,7 +144,10 @@ test("a run is shown with its numbers", async () => {
   await line.uncheck();
   await line.check();
 
-  for (const [kind, begins] of [["PNG", "\x89PNG"], ["SVG", "<svg"]]) {
+  for (const [kind, begins] of [
+    ["PNG", "\x89PNG"],
+    ["SVG", "<svg"],
+  ]) {
     const download = page.waitForEvent("download");
     await page.locator("#seepage-view").getByLabel(`Save as ${kind}`).click();
     const file = readFileSync(await (await download).path(), "latin1");
@@ -138,7 +159,8 @@ test("a run is shown with its numbers", async () => {
 });
 
 test("a comparison is shown with all waters", async () => {
-  const out = berm("compare", join(EMBANKMENT, "seepage.toml")), { waters } = json(out, "comparison.json");
+  const out = berm("compare", join(EMBANKMENT, "seepage.toml")),
+    { waters } = json(out, "comparison.json");
   const page = await open(out);
   for (const water of waters) {
     assert.equal(await page.textContent(`#factor-${water.name}`), `F = ${water.factor.toFixed(3)}`);
@@ -156,15 +178,20 @@ test("a comparison is shown with all waters", async () => {
 });
 
 test("a run-out is played", async () => {
-  const out = berm("run", join(EMBANKMENT, "run_out.toml")), { runout } = json(out, "result.json");
+  const out = berm("run", join(EMBANKMENT, "run_out.toml")),
+    { runout } = json(out, "result.json");
   const page = await open(out);
-  assert.ok((await page.textContent("#run-out .facts")).includes(`${runout.run_out_m.toFixed(2)} m beyond the toe`));
+  assert.ok(
+    (await page.textContent("#run-out .facts")).includes(`${runout.run_out_m.toFixed(2)} m beyond the toe`),
+  );
   const slider = page.getByLabel("Time", { exact: true });
   await changes(page, "#run-out-view", () => slider.fill("0"));
   assert.equal(await page.textContent(".clock"), "t = 0.00 s");
   await changes(page, "#run-out-view", () => slider.press("ArrowRight"));
   await page.getByLabel("Play", { exact: true }).click();
-  await page.waitForFunction(() => document.querySelector(".player input").value === document.querySelector(".player input").max);
+  await page.waitForFunction(
+    () => document.querySelector(".player input").value === document.querySelector(".player input").max,
+  );
   assert.equal(await page.textContent(".clock"), `t = ${runout.history.at(-1).time_s.toFixed(2)} s`);
   await changes(page, "#run-out-view", () => choose(page, "#run-out-view", "Field", "height"));
   await fitsPhoneAndPaper(out, page);
@@ -175,7 +202,11 @@ test("text of the user is text", async () => {
   const hostile = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
   const path = join(scratch, "hostile.toml");
   const text = readFileSync(join(BERM_SOURCE, "cases/sheet_pile/seepage.toml"), "utf-8")
-    .replace(/title .*/, `title = '${hostile}'`).replace("[output]", `[seepage]\nadaptive = false\n[[output.line]]\nname = '${hostile}'\npoints_m = [[-20, 5], [20, 5]]\n[output]`);
+    .replace(/title .*/, `title = '${hostile}'`)
+    .replace(
+      "[output]",
+      `[seepage]\nadaptive = false\n[[output.line]]\nname = '${hostile}'\npoints_m = [[-20, 5], [20, 5]]\n[output]`,
+    );
   writeFileSync(path, `# ${hostile}\n${text}`);
   const page = await open(berm("seepage", path));
   assert.equal(await page.textContent("h1"), hostile);

@@ -1,21 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours that colour-blind readers tell apart, too.
-import { interpolateCividis, interpolateMagma, interpolatePuOr, interpolateViridis, interpolateYlGnBu } from "d3-scale-chromatic";
+import {
+  interpolateCividis,
+  interpolateMagma,
+  interpolatePuOr,
+  interpolateViridis,
+  interpolateYlGnBu,
+} from "d3-scale-chromatic";
 
 // After Okabe and Ito.
-export const BLUE = "#0072B2", SKY = "#56B4E9", ORANGE = "#D55E00", GREEN = "#009E73", GREY = "#666666";
-export const PURPLE = "#CC79A7", AMBER = "#E69F00", INK = "#1d2327", RED = "#a4262c";
+export const BLUE = "#0072B2",
+  SKY = "#56B4E9",
+  ORANGE = "#D55E00",
+  GREEN = "#009E73",
+  GREY = "#666666";
+export const PURPLE = "#CC79A7",
+  AMBER = "#E69F00",
+  INK = "#1d2327",
+  RED = "#a4262c";
 
 /** Pale, for the ground under lines. */
 export const SOILS = ["#e9dcc3", "#c9d5e3", "#d9e4c8", "#ecd0c4", "#d8cfe5", "#cfe3df", "#e5e0c0", "#d6d6d6"];
 export const soilColour = (i) => SOILS[i % SOILS.length];
 
-const paler = (map, white) => (t) => `rgb(${rgb(map(t)).map((v) => Math.round(v + white * (255 - v))).join(",")})`;
+const paler = (map, white) => (t) =>
+  `rgb(${rgb(map(t))
+    .map((v) => Math.round(v + white * (255 - v)))
+    .join(",")})`;
 
 const MAPS = {
-  viridis: interpolateViridis,
-  head: paler(interpolateViridis, 0.28), // lines have to be seen on it
-  cividis: interpolateCividis,
+  viridis: paler(interpolateViridis, 0.28), // lines have to be seen on it
+  cividis: paler(interpolateCividis, 0.28),
   water: (t) => interpolateYlGnBu(0.06 + 0.9 * t),
   strain: (t) => interpolateMagma(1 - 0.92 * t),
   diverging: (t) => interpolatePuOr(1 - t),
@@ -23,7 +38,10 @@ const MAPS = {
 
 function rgb(text) {
   if (text[0] === "#") return [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16));
-  return text.match(/[\d.]+/g).slice(0, 3).map((v) => Math.round(Number(v)));
+  return text
+    .match(/[\d.]+/g)
+    .slice(0, 3)
+    .map((v) => Math.round(Number(v)));
 }
 
 const packedColour = (text) => {
@@ -33,8 +51,15 @@ const packedColour = (text) => {
 
 /** A colour scale over a domain; `below`: the colour of what is smaller, if that is to be told apart. */
 export function colourScale(map, domain, below) {
-  const at = MAPS[map], css = Array.from({ length: 256 }, (_, i) => at(i / 255));
-  return { domain, css, table: Uint32Array.from(css, packedColour), below: below ? packedColour(below) : 0, belowCss: below };
+  const at = MAPS[map],
+    css = Array.from({ length: 256 }, (_, i) => at(i / 255));
+  return {
+    domain,
+    css,
+    table: Uint32Array.from(css, packedColour),
+    below: below ? packedColour(below) : 0,
+    belowCss: below,
+  };
 }
 
 /** One colour for each whole number. */

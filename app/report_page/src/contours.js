@@ -5,7 +5,8 @@
 export function contours(mesh, values, levels, wet) {
   const { x, y, triangles } = mesh;
   const segments = levels.map(() => []);
-  const low = levels[0], step = levels.length > 1 ? levels[1] - levels[0] : 1;
+  const low = levels[0],
+    step = levels.length > 1 ? levels[1] - levels[0] : 1;
   for (let t = 0; t < triangles.length; t += 3) {
     const nodes = [triangles[t], triangles[t + 1], triangles[t + 2]];
     if (wet && !nodes.some((n) => wet[n] >= 0)) continue;
@@ -13,9 +14,13 @@ export function contours(mesh, values, levels, wet) {
     const first = Math.max(0, Math.ceil((Math.min(...v) - low) / step - 1e-9));
     const last = Math.min(levels.length - 1, Math.floor((Math.max(...v) - low) / step + 1e-9));
     for (let k = first; k <= last; ++k) {
-      const level = levels[k], ends = [];
+      const level = levels[k],
+        ends = [];
       for (let e = 0; e < 3; ++e) {
-        const i = nodes[e], j = nodes[(e + 1) % 3], vi = values[i], vj = values[j];
+        const i = nodes[e],
+          j = nodes[(e + 1) % 3],
+          vi = values[i],
+          vj = values[j];
         if (vi > level === vj > level) continue;
         const f = (level - vi) / (vj - vi);
         ends.push([i < j ? i + "-" + j : j + "-" + i, x[i] + f * (x[j] - x[i]), y[i] + f * (y[j] - y[i])]);
@@ -35,7 +40,8 @@ function chained(segments) {
       if (list) list.push(segment);
       else at.set(end[0], [segment]);
     }
-  const used = new Set(), chains = [];
+  const used = new Set(),
+    chains = [];
   const walk = (segment, from) => {
     const points = [];
     while (segment && !used.has(segment)) {
@@ -70,4 +76,5 @@ export function roundLevels(low, high, count) {
 }
 
 /** `count` equal parts of (low, high): the levels between them. */
-export const evenLevels = (low, high, count) => Array.from({ length: count - 1 }, (_, i) => low + ((i + 1) * (high - low)) / count);
+export const evenLevels = (low, high, count) =>
+  Array.from({ length: count - 1 }, (_, i) => low + ((i + 1) * (high - low)) / count);

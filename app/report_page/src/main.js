@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { comparisonPage } from "./comparison_page.js";
+import { h } from "./dom.js";
 import { preparePaper } from "./paper.js";
 import { runPage } from "./run_page.js";
 
@@ -7,7 +8,19 @@ import { runPage } from "./run_page.js";
 const PAGES = { run: runPage, comparison: comparisonPage };
 
 const data = JSON.parse(document.getElementById("data").textContent);
-PAGES[data.kind](data, document.getElementById("page"));
+const page = document.getElementById("page");
+try {
+  PAGES[data.kind](data, page);
+} catch (error) {
+  page.prepend(
+    h(
+      "p",
+      { class: "notice partial" },
+      `This page cannot be drawn in full (${error.message}). The numbers are in result.json beside it.`,
+    ),
+  );
+  console.error(error);
+}
 
 preparePaper();
 document.documentElement.dataset.ready = "true";

@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as people read them.
 
-const RAISED = { "-": "\u207b", 0: "\u2070", 1: "\u00b9", 2: "\u00b2", 3: "\u00b3", 4: "\u2074", 5: "\u2075", 6: "\u2076", 7: "\u2077", 8: "\u2078", 9: "\u2079" };
+const RAISED = {
+  "-": "\u207b",
+  0: "\u2070",
+  1: "\u00b9",
+  2: "\u00b2",
+  3: "\u00b3",
+  4: "\u2074",
+  5: "\u2075",
+  6: "\u2076",
+  7: "\u2077",
+  8: "\u2078",
+  9: "\u2079",
+};
 const MINUS = "\u2212";
 
 export const power = (exponent) => "10" + [...String(exponent)].map((c) => RAISED[c]).join("");
@@ -34,7 +46,10 @@ export const point = (p) => (p ? `(${fixed(p[0], 2)}, ${fixed(p[1], 2)})` : "\u2
 /** A number as typed: 37, 0.3, 1e-7 as a power of ten. */
 export function plain(value) {
   if (value === null || value === undefined) return "\u2013";
-  return number(value, 6).replace(/(\.\d*?)0+(?=$| )/, "$1").replace(/\.(?=$| )/, "");
+  return number(value, 6)
+    .replace(/(\.\d*?)0+(?=$| )/, "$1")
+    .replace(/\.(?=$| )/, "");
 }
 
-export const seconds = (value) => (value < 60 ? `${number(value, 3)} s` : `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`);
+export const seconds = (value) =>
+  value < 60 ? `${number(value, 3)} s` : `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;

@@ -11,7 +11,9 @@ import { stability } from "./stability_page.js";
 export function runPage(data, page) {
   const { result } = data;
   document.title = `${result.title} – berm report`;
-  const searched = result.stability && (result.stability.trials.length || result.stability.factor !== null || result.stability.reason);
+  const searched =
+    result.stability &&
+    (result.stability.trials.length || result.stability.factor !== null || result.stability.reason);
   const chapters = [
     ["section", "Section", inputs(data)],
     result.seepage && ["seepage", "Seepage", seepage(data)],
@@ -22,11 +24,19 @@ export function runPage(data, page) {
   page.append(
     header(result.title, chapters, "report of one analysis"),
     answer(data),
-    ...chapters.map(([, , content]) => content));
+    ...chapters.map(([, , content]) => content),
+  );
 }
 
 export const header = (title, chapters, kind) =>
-  h("header", {},
+  h(
+    "header",
+    {},
     h("p", { class: "kind" }, h("span", { class: "name" }, "berm"), ` ${kind}`),
     h("h1", {}, title),
-    h("nav", { "aria-label": "Chapters" }, chapters.map(([id, name]) => h("a", { href: `#${id}` }, name))));
+    h(
+      "nav",
+      { "aria-label": "Chapters" },
+      chapters.map(([id, name]) => h("a", { href: `#${id}` }, name)),
+    ),
+  );

@@ -11,7 +11,9 @@ function bytes(text) {
 
 /** Float64Array of numbers, or Uint32Array of whole ones. */
 export function unpack(packed) {
-  const n = packed.count, planes = bytes(packed.data), wide = packed.bits === 32;
+  const n = packed.count,
+    planes = bytes(packed.data),
+    wide = packed.bits === 32;
   const out = wide ? new Uint32Array(n) : new Float64Array(n);
   let code = 0;
   for (let i = 0; i < n; ++i) {

@@ -4,16 +4,18 @@ import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 import { zoom, zoomIdentity } from "d3-zoom";
-import { INK } from "./colours.js";
+import { axisName, styleAxis } from "./axes.js";
 import { drawBar } from "./colour_bar.js";
 import { h, s } from "./dom.js";
+import { drawLayer, swatchOf } from "./layers.js";
 import { fixed } from "./numbers.js";
 import { followWidth } from "./paper.js";
 import { Raster } from "./raster.js";
 import { saveButtons } from "./save.js";
 
 const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
-const BAR = 52, BAR_NARROW = 68; // height of the colour bar with its text
+const BAR = 52,
+  BAR_NARROW = 68; // height of the colour bar with its text
 let views = 0;
 
 export class View {
@@ -30,26 +32,51 @@ export class View {
     this.axes = { x: s("g", { class: "axis" }), y: s("g", { class: "axis" }) };
     this.frame = s("rect", { fill: "none", stroke: "#9aa3a9" });
     this.barGroup = s("g", {});
-    this.svg = s("svg", { role: "img", "aria-label": title, tabindex: "0", class: "overlay" },
+    this.svg = s(
+      "svg",
+      { role: "img", "aria-label": title, tabindex: "0", class: "overlay" },
       s("defs", {}, s("clipPath", { id: `${this.id}-clip` }, this.clipBox)),
-      this.plotArea, this.frame, this.axes.x, this.axes.y, this.barGroup);
+      this.plotArea,
+      this.frame,
+      this.axes.x,
+      this.axes.y,
+      this.barGroup,
+    );
     this.readout = h("div", { class: "readout", hidden: true });
     this.stage = h("div", { class: "stage" }, this.canvas, this.svg, this.readout);
     this.legend = h("div", { class: "legend", role: "group", "aria-label": "Lines shown" });
-    const button = (label, text, act) => h("button", { type: "button", title: label, "aria-label": label, onclick: act }, text);
-    const zoomButtons = h("span", { class: "buttons" },
-      button("Zoom in", "+", () => this.zoomBy(1.6)), button("Zoom out", "\u2212", () => this.zoomBy(1 / 1.6)),
-      button("Show all", "\u2922", () => this.reset()));
-    this.root = h("figure", { class: "view" },
-      h("div", { class: "controls" }, controls, h("span", { class: "push" }), h("span", { class: "tools" }, zoomButtons, saveButtons(this))), this.stage, this.legend);
+    const button = (label, text, act) =>
+      h("button", { type: "button", title: label, "aria-label": label, onclick: act }, text);
+    const zoomButtons = h(
+      "span",
+      { class: "buttons" },
+      button("Zoom in", "+", () => this.zoomBy(1.6)),
+      button("Zoom out", "\u2212", () => this.zoomBy(1 / 1.6)),
+      button("Show all", "\u2922", () => this.reset()),
+    );
+    this.root = h(
+      "figure",
+      { class: "view" },
+      h(
+        "div",
+        { class: "controls" },
+        controls,
+        h("span", { class: "push" }),
+        h("span", { class: "tools" }, zoomButtons, saveButtons(this)),
+      ),
+      this.stage,
+      this.legend,
+    );
     this.listen();
     followWidth(this.stage, (width) => this.layout(width));
   }
 
   listen() {
-    this.zoom = zoom().scaleExtent([1, 400])
+    this.zoom = zoom()
+      .scaleExtent([1, 400])
       .filter((event) => {
-        if (event.type === "wheel") return event.ctrlKey || event.metaKey || document.activeElement === this.svg;
+        if (event.type === "wheel")
+          return event.ctrlKey || event.metaKey || document.activeElement === this.svg;
         if (event.type === "touchstart") return event.touches.length > 1 || this.transform.k > 1;
         return !event.button && !event.ctrlKey;
       })
@@ -72,7 +99,8 @@ export class View {
     if (event.key === "+" || event.key === "=") this.zoomBy(1.6);
     else if (event.key === "-") this.zoomBy(1 / 1.6);
     else if (event.key === "0" || event.key === "Escape") this.reset();
-    else if (moves[event.key] && this.transform.k > 1) select(this.svg).call(this.zoom.translateBy, ...moves[event.key]);
+    else if (moves[event.key] && this.transform.k > 1)
+      select(this.svg).call(this.zoom.translateBy, ...moves[event.key]);
     else return;
     event.preventDefault();
   }
@@ -90,12 +118,11 @@ export class View {
     this.redrawSoon();
   }
 
-  /**
-   * layers: { label, look: { stroke, dash, width, fill }, lines: [[[x, y], ...], ...], closed, marks:
-   * [{ at, shape, text, colour }], on, fixed (no switch), below }.
-   */
+  /** Lines and marks over the field, from below upwards (layers.js). */
   setLayers(layers) {
-    this.layers = layers.filter((l) => (l.lines && l.lines.length) || (l.marks && l.marks.length) || l.circle);
+    this.layers = layers.filter(
+      (l) => (l.lines && l.lines.length) || (l.marks && l.marks.length) || l.circle,
+    );
     this.plotArea.replaceChildren();
     this.legend.replaceChildren();
     for (const layer of this.layers) {
@@ -108,10 +135,15 @@ export class View {
   }
 
   legendItem(layer) {
-    const swatch = s("svg", { width: 26, height: 12, "aria-hidden": "true", class: "swatch" }, swatchOf(layer));
+    const swatch = s(
+      "svg",
+      { width: 26, height: 12, "aria-hidden": "true", class: "swatch" },
+      swatchOf(layer),
+    );
     if (layer.fixed) return h("span", { class: "item" }, swatch, layer.label);
     const box = h("input", {
-      type: "checkbox", checked: layer.shown,
+      type: "checkbox",
+      checked: layer.shown,
       onchange: () => {
         layer.shown = box.checked;
         layer.group.setAttribute("display", box.checked ? "inline" : "none");
@@ -122,11 +154,13 @@ export class View {
 
   layout(width) {
     this.width = width;
-    const { x, y } = this.box, plotWidth = width - MARGIN.left - MARGIN.right;
+    const { x, y } = this.box,
+      plotWidth = width - MARGIN.left - MARGIN.right;
     const ratio = (y[1] - y[0]) / (x[1] - x[0]);
     const plotHeight = Math.round(Math.max(120, Math.min(plotWidth * ratio, 560)));
     this.plot = { width: plotWidth, height: plotHeight };
-    this.height = MARGIN.top + plotHeight + MARGIN.bottom + (this.hasBar ? (plotWidth < 480 ? BAR_NARROW : BAR) : 0);
+    this.height =
+      MARGIN.top + plotHeight + MARGIN.bottom + (this.hasBar ? (plotWidth < 480 ? BAR_NARROW : BAR) : 0);
     this.fit = Math.min(plotWidth / (x[1] - x[0]), plotHeight / (y[1] - y[0]));
     this.svg.setAttribute("viewBox", `0 0 ${width} ${this.height}`);
     this.stage.style.aspectRatio = `${width} / ${this.height}`;
@@ -134,10 +168,15 @@ export class View {
     for (const rect of [this.clipBox, this.frame])
       for (const [name, value] of Object.entries(position)) rect.setAttribute(name, value);
     Object.assign(this.canvas.style, {
-      left: `${(100 * MARGIN.left) / width}%`, top: `${(100 * MARGIN.top) / this.height}%`,
-      width: `${(100 * plotWidth) / width}%`, height: `${(100 * plotHeight) / this.height}%`,
+      left: `${(100 * MARGIN.left) / width}%`,
+      top: `${(100 * MARGIN.top) / this.height}%`,
+      width: `${(100 * plotWidth) / width}%`,
+      height: `${(100 * plotHeight) / this.height}%`,
     });
-    const extent = [[MARGIN.left, MARGIN.top], [MARGIN.left + plotWidth, MARGIN.top + plotHeight]];
+    const extent = [
+      [MARGIN.left, MARGIN.top],
+      [MARGIN.left + plotWidth, MARGIN.top + plotHeight],
+    ];
     this.zoom.extent(extent).translateExtent(extent);
     this.redraw();
   }
@@ -152,7 +191,8 @@ export class View {
 
   /** Pixel = scale * x + left, top - scale * y, in the SVG's coordinates. */
   mapping() {
-    const { x, y } = this.box, { k, x: tx, y: ty } = this.transform;
+    const { x, y } = this.box,
+      { k, x: tx, y: ty } = this.transform;
     const left = MARGIN.left + (this.plot.width - this.fit * (x[1] - x[0])) / 2 - this.fit * x[0];
     const top = MARGIN.top + (this.plot.height - this.fit * (y[1] - y[0])) / 2 + this.fit * y[1];
     return { scale: k * this.fit, left: k * left + tx, top: k * top + ty };
@@ -164,43 +204,89 @@ export class View {
     this.drawField(m);
     for (const layer of this.layers) drawLayer(layer, m);
     const { width, height } = this.plot;
-    const xs = scaleLinear([(MARGIN.left - m.left) / m.scale, (MARGIN.left + width - m.left) / m.scale], [MARGIN.left, MARGIN.left + width]);
-    const ys = scaleLinear([(m.top - MARGIN.top - height) / m.scale, (m.top - MARGIN.top) / m.scale], [MARGIN.top + height, MARGIN.top]);
-    styleAxis(select(this.axes.x).attr("transform", `translate(0,${MARGIN.top + height})`).call(axisBottom(xs).ticks(Math.max(3, width / 90)).tickSizeOuter(0)));
-    styleAxis(select(this.axes.y).attr("transform", `translate(${MARGIN.left},0)`).call(axisLeft(ys).ticks(Math.max(2, height / 45)).tickSizeOuter(0)));
+    const xs = scaleLinear(
+      [(MARGIN.left - m.left) / m.scale, (MARGIN.left + width - m.left) / m.scale],
+      [MARGIN.left, MARGIN.left + width],
+    );
+    const ys = scaleLinear(
+      [(m.top - MARGIN.top - height) / m.scale, (m.top - MARGIN.top) / m.scale],
+      [MARGIN.top + height, MARGIN.top],
+    );
+    styleAxis(
+      select(this.axes.x)
+        .attr("transform", `translate(0,${MARGIN.top + height})`)
+        .call(
+          axisBottom(xs)
+            .ticks(Math.max(3, width / 90))
+            .tickSizeOuter(0),
+        ),
+    );
+    styleAxis(
+      select(this.axes.y)
+        .attr("transform", `translate(${MARGIN.left},0)`)
+        .call(
+          axisLeft(ys)
+            .ticks(Math.max(2, height / 45))
+            .tickSizeOuter(0),
+        ),
+    );
     axisName(this.axes.x, "x [m]", MARGIN.left + width / 2, 33, 0);
     axisName(this.axes.y, "y [m]", -MARGIN.top - height / 2, -34, -90);
     this.barGroup.replaceChildren();
     if (this.field && this.hasBar)
-      drawBar(this.barGroup, this.field, MARGIN.left, MARGIN.top + height + MARGIN.bottom, Math.min(width, 520));
+      drawBar(
+        this.barGroup,
+        this.field,
+        MARGIN.left,
+        MARGIN.top + height + MARGIN.bottom,
+        Math.min(width, 520),
+      );
   }
 
   drawField(m) {
     const density = Math.max(1.5, Math.min(2, window.devicePixelRatio || 1));
-    const width = Math.round(this.plot.width * density), height = Math.round(this.plot.height * density);
-    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    const width = Math.round(this.plot.width * density),
+      height = Math.round(this.plot.height * density);
+    if (this.canvas.width !== width || this.canvas.height !== height)
+      Object.assign(this.canvas, { width, height });
     const context = this.canvas.getContext("2d");
     context.clearRect(0, 0, width, height);
     this.raster = null;
     if (!this.field) return;
-    this.raster = new Raster(width, height, m.scale * density, (m.left - MARGIN.left) * density, (m.top - MARGIN.top) * density);
+    this.raster = new Raster(
+      width,
+      height,
+      m.scale * density,
+      (m.left - MARGIN.left) * density,
+      (m.top - MARGIN.top) * density,
+    );
     this.raster.density = density;
     this.field.draw(this.raster);
     context.putImageData(this.raster.image(this.field.colours), 0, 0);
   }
 
   tell(event) {
-    if (!this.map || event.pointerType === "touch" && !event.isPrimary) return;
-    const box = this.svg.getBoundingClientRect(), ratio = this.width / box.width;
-    const px = (event.clientX - box.left) * ratio, py = (event.clientY - box.top) * ratio;
-    const inside = px >= MARGIN.left && px <= MARGIN.left + this.plot.width && py >= MARGIN.top && py <= MARGIN.top + this.plot.height;
+    if (!this.map || (event.pointerType === "touch" && !event.isPrimary)) return;
+    const box = this.svg.getBoundingClientRect(),
+      ratio = this.width / box.width;
+    const px = (event.clientX - box.left) * ratio,
+      py = (event.clientY - box.top) * ratio;
+    const inside =
+      px >= MARGIN.left &&
+      px <= MARGIN.left + this.plot.width &&
+      py >= MARGIN.top &&
+      py <= MARGIN.top + this.plot.height;
     this.readout.hidden = !inside;
     if (!inside) return;
-    const x = (px - this.map.left) / this.map.scale, y = (this.map.top - py) / this.map.scale;
+    const x = (px - this.map.left) / this.map.scale,
+      y = (this.map.top - py) / this.map.scale;
     let text = `x ${fixed(x, 2)} m, y ${fixed(y, 2)} m`;
     if (this.raster) {
       const d = this.raster.density;
-      const value = this.raster.values[Math.floor((py - MARGIN.top) * d) * this.raster.width + Math.floor((px - MARGIN.left) * d)];
+      const value =
+        this.raster.values[
+          Math.floor((py - MARGIN.top) * d) * this.raster.width + Math.floor((px - MARGIN.left) * d)
+        ];
       if (value === value) text += `\n${this.field.value(value)}`;
     }
     this.readout.textContent = text;
@@ -209,56 +295,4 @@ export class View {
     this.readout.style.right = right ? `${100 - (100 * (px - 14)) / this.width}%` : "";
     this.readout.style.top = `${(100 * Math.max(0, py - 44)) / this.height}%`;
   }
-}
-
-/** What stands for a layer in a legend. */
-export function swatchOf(layer) {
-  const look = layer.look ?? {};
-  if (layer.lines || layer.circle)
-    return s("path", { d: layer.closed && look.fill !== "none" ? "M1 1H25V11H1Z" : "M1 6H25", fill: layer.closed ? look.fill ?? "none" : "none", stroke: look.stroke ?? "none", "stroke-width": Math.min(look.width ?? 1.2, 4), "stroke-dasharray": look.dash ?? null });
-  return mark({ at: [0, 0], ...layer.marks[0], text: "" }, 13, 6);
-}
-
-const pathOf = (line, closed) => "M" + line.map((p) => `${p[0]},${p[1]}`).join("L") + (closed ? "Z" : "");
-
-function drawLayer(layer, m) {
-  const look = layer.look ?? {};
-  if (!layer.lineGroup || !layer.lineGroup.parentNode) {
-    const style = { fill: layer.closed ? look.fill ?? "none" : "none", "fill-opacity": look.opacity ?? null, stroke: look.stroke ?? "none", "stroke-width": look.width ?? 1.2, "stroke-dasharray": look.dash ?? null, "stroke-linejoin": "round", "stroke-opacity": look.strokeOpacity ?? null };
-    const paths = (more) => (layer.lines ?? []).map((line) => s("path", { d: pathOf(line, layer.closed), "vector-effect": "non-scaling-stroke", ...more }));
-    layer.lineGroup = s("g", style,
-      look.halo ? paths({ stroke: look.halo, "stroke-width": (look.width ?? 1.2) + 1.6 }) : [], paths({}),
-      layer.circle ? s("circle", { cx: layer.circle.centre[0], cy: layer.circle.centre[1], r: layer.circle.radius, "vector-effect": "non-scaling-stroke" }) : null);
-    layer.markGroup = s("g", {});
-    layer.group.replaceChildren(layer.lineGroup, layer.markGroup);
-  }
-  layer.lineGroup.setAttribute("transform", `translate(${m.left},${m.top}) scale(${m.scale},${-m.scale})`);
-  if (layer.marks)
-    layer.markGroup.replaceChildren(...layer.marks.map((item) => mark(item, m.left + m.scale * item.at[0], m.top - m.scale * item.at[1])));
-}
-
-/** A sign of fixed size at a place, with a text beside it. */
-function mark(item, x, y) {
-  const shapes = {
-    dot: () => s("circle", { r: 4, fill: item.colour ?? INK, stroke: "white", "stroke-width": 1.2 }),
-    ring: () => s("circle", { r: 4.2, fill: "white", stroke: item.colour ?? INK, "stroke-width": 1.8 }),
-    cross: () => s("path", { d: "M-4,-4L4,4M-4,4L4,-4", fill: "none", stroke: item.colour ?? INK, "stroke-width": 2 }),
-    level: () => s("path", { d: "M0,0L-6,-9H6Z", fill: "white", stroke: item.colour ?? INK, "stroke-width": 1.3 }),
-    none: () => null,
-  };
-  const text = item.text ? s("text", { x: item.dx ?? 8, y: item.dy ?? -6, "text-anchor": item.anchor ?? "start", "font-size": 11.5, fill: item.colour ?? INK, stroke: "white", "stroke-width": 3, "paint-order": "stroke", "stroke-linejoin": "round" }, item.text) : null;
-  return s("g", { transform: `translate(${x},${y})` }, shapes[item.shape ?? "dot"](), text);
-}
-
-/** Presentation as attributes: a saved SVG has no style sheet. */
-export function styleAxis(group) {
-  group.attr("font-family", "inherit").attr("font-size", 11);
-  group.selectAll("text").attr("fill", "#3d464d");
-  group.selectAll("line").attr("stroke", "#9aa3a9");
-  group.select(".domain").attr("stroke", "none");
-}
-
-export function axisName(group, text, x, y, turned) {
-  group.querySelector(".name")?.remove();
-  group.append(s("text", { class: "name", transform: `rotate(${turned})`, x, y, fill: "#3d464d", "text-anchor": "middle", "font-size": 11.5 }, text));
 }
