@@ -12,20 +12,15 @@ export function answer({ result }) {
   return h(
     "section",
     { id: "answer", "aria-label": "Answer" },
-    notices(result),
+    notices(result, result.interrupted ? "Partial: the run was stopped before its end." : null),
     h("div", { class: "cards" }, cards),
     factorRuler(result),
   );
 }
 
 /** Partial, interrupted, warned of. */
-export function notices(result, more = []) {
-  const partial = result.interrupted
-    ? "Partial: the run was stopped before its end."
-    : result.complete === false
-      ? "Partial: not every stage came to its answer."
-      : null;
-  const texts = [...(result.warnings ?? []), ...more];
+export function notices({ complete, warnings: texts = [] }, why) {
+  const partial = complete ? null : (why ?? "Partial: not every stage came to its answer.");
   return [
     partial && h("p", { class: "notice partial", role: "status" }, partial),
     texts.length

@@ -4,12 +4,23 @@ import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 import { s } from "./dom.js";
 
+/** A text in lines of at most `most` letters. */
+function wrapped(text, most) {
+  const lines = [""];
+  for (const word of text.split(" ")) {
+    const line = lines[lines.length - 1];
+    if (line && line.length + 1 + word.length > most) lines.push(word);
+    else lines[lines.length - 1] = line ? `${line} ${word}` : word;
+  }
+  return lines;
+}
+
 /** Title, colours and ticks of a field, at (left, top) of an SVG group. */
 export function drawBar(group, field, left, top, width) {
   const { colours } = field,
     bar = s("g", { transform: `translate(${left},${top})` });
   group.append(bar);
-  const parts = 6.4 * field.title.length > width ? field.title.split(/(?<=[;:]) /) : [field.title];
+  const parts = wrapped(field.title, width / 6.4);
   parts.forEach((part, i) =>
     bar.append(s("text", { x: 0, y: 11 + 15 * i, "font-size": 12, fill: "#1d2327" }, part)),
   );

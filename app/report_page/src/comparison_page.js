@@ -38,20 +38,25 @@ export function comparisonPage(data, page) {
     ["pressure", "Pore pressure"],
     ["provenance", "Provenance"],
   ];
-  page.append(
-    header(comparison.title, chapters, "comparison: the same soil under different waters"),
+  const contents = [
     answer(comparison, waters),
     lines(waters),
     pressures(comparison, waters),
     provenance(data),
+  ];
+  const there = chapters.filter((_, i) => contents[i]);
+  page.append(
+    header(comparison.title, there, "comparison: the same soil under different waters"),
+    ...contents.filter(Boolean),
   );
 }
 
+const STOPPED = "Partial: the comparison was stopped; here are the waters that it reached.";
 const solved = (water) => water.complete && water.factor !== null;
 
 function answer(comparison, waters) {
   const base = waters[0];
-  const stopped = waters.filter((w) => w.result.interrupted);
+  const stopped = waters.some((w) => w.result.interrupted);
   const warnings = waters.flatMap((w) => (w.result.warnings ?? []).map((text) => `${w.title}: ${text}`));
   const columns = [
     { title: "Water" },
@@ -66,21 +71,22 @@ function answer(comparison, waters) {
   return h(
     "section",
     { id: "answer", "aria-label": "Answer" },
-    notices({ interrupted: stopped.length > 0, complete: waters.every(solved), warnings }),
+    notices({ complete: waters.every(solved) && !stopped, warnings }, stopped ? STOPPED : null),
     headline(comparison, waters),
-    ruler(
-      waters.map((w) => ({
-        label: w.title,
-        colour: w.colour,
-        factor: solved(w) ? w.factor : null,
-        stands: w.result.stability?.stands,
-        fails: w.result.stability?.fails,
-        low: w.low,
-        high: w.high,
-        marks: bishop(w),
-      })),
-      "Factors of safety of each water",
-    ),
+    waters.some(solved) &&
+      ruler(
+        waters.map((w) => ({
+          label: w.title,
+          colour: w.colour,
+          factor: solved(w) ? w.factor : null,
+          stands: w.result.stability?.stands,
+          fails: w.result.stability?.fails,
+          low: w.low,
+          high: w.high,
+          marks: bishop(w),
+        })),
+        "Factors of safety of each water",
+      ),
     h(
       "p",
       { class: "note" },
@@ -142,7 +148,7 @@ function headline(comparison, waters) {
   const cards = waters.map((w) => {
     if (w === base)
       return card(
-        "main",
+        solved(w) ? "main" : "main none",
         w,
         w.result.stability && bracketText(w.result.stability),
         w.low !== null && rangeText(w.result.stability?.uncertainty),

@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of equal value of a field that is linear on triangles.
 
-/** For each level, a list of chains [[x, y], ...]; only in triangles with a `wet` node, if that is given. */
+/**
+ * For each level, a list of chains [[x, y], ...]; only in triangles with a `wet` node, if that is given.
+ * The levels are equally spaced.
+ */
 export function contours(mesh, values, levels, wet) {
-  const { x, y, triangles } = mesh;
-  const segments = levels.map(() => []);
+  const { x, y, triangles } = mesh,
+    segments = levels.map(() => []);
   const low = levels[0],
-    step = levels.length > 1 ? levels[1] - levels[0] : 1;
+    step = levels.length > 1 ? levels[1] - levels[0] : 1,
+    nodes = x.length;
+  const crossing = (i, j, level) => {
+    if (values[i] > level === values[j] > level) return null;
+    const f = (level - values[i]) / (values[j] - values[i]);
+    // The edge's number, the same from both sides, and the place on it.
+    return [i < j ? i * nodes + j : j * nodes + i, x[i] + f * (x[j] - x[i]), y[i] + f * (y[j] - y[i])];
+  };
   for (let t = 0; t < triangles.length; t += 3) {
-    const nodes = [triangles[t], triangles[t + 1], triangles[t + 2]];
-    if (wet && !nodes.some((n) => wet[n] >= 0)) continue;
-    const v = nodes.map((n) => values[n]);
-    const first = Math.max(0, Math.ceil((Math.min(...v) - low) / step - 1e-9));
-    const last = Math.min(levels.length - 1, Math.floor((Math.max(...v) - low) / step + 1e-9));
+    const a = triangles[t],
+      b = triangles[t + 1],
+      c = triangles[t + 2];
+    if (wet && !(wet[a] >= 0 || wet[b] >= 0 || wet[c] >= 0)) continue;
+    const least = Math.min(values[a], values[b], values[c]),
+      most = Math.max(values[a], values[b], values[c]);
+    const first = Math.max(0, Math.ceil((least - low) / step - 1e-9));
+    const last = Math.min(levels.length - 1, Math.floor((most - low) / step + 1e-9));
     for (let k = first; k <= last; ++k) {
-      const level = levels[k],
-        ends = [];
-      for (let e = 0; e < 3; ++e) {
-        const i = nodes[e],
-          j = nodes[(e + 1) % 3],
-          vi = values[i],
-          vj = values[j];
-        if (vi > level === vj > level) continue;
-        const f = (level - vi) / (vj - vi);
-        ends.push([i < j ? i + "-" + j : j + "-" + i, x[i] + f * (x[j] - x[i]), y[i] + f * (y[j] - y[i])]);
-      }
+      const ends = [crossing(a, b, levels[k]), crossing(b, c, levels[k]), crossing(c, a, levels[k])].filter(
+        Boolean,
+      );
       if (ends.length === 2) segments[k].push(ends);
     }
   }
@@ -33,15 +38,15 @@ export function contours(mesh, values, levels, wet) {
 
 /** Segments that share an edge of the mesh, joined. */
 function chained(segments) {
-  const at = new Map(); // edge -> the one or two segments on it
-  for (const segment of segments)
-    for (const end of segment) {
-      const list = at.get(end[0]);
-      if (list) list.push(segment);
-      else at.set(end[0], [segment]);
-    }
-  const used = new Set(),
+  const at = new Map(), // edge -> the one or two segments on it
+    used = new Set(),
     chains = [];
+  for (const segment of segments)
+    for (const [edge] of segment) {
+      const list = at.get(edge);
+      if (list) list.push(segment);
+      else at.set(edge, [segment]);
+    }
   const walk = (segment, from) => {
     const points = [];
     while (segment && !used.has(segment)) {
@@ -55,11 +60,10 @@ function chained(segments) {
   };
   for (const segment of segments) {
     if (used.has(segment)) continue;
-    const [a, b] = segment;
-    const forward = [[a[1], a[2]], ...walk(segment, a[0])];
-    const other = at.get(a[0]).find((next) => !used.has(next));
-    const backward = other ? walk(other, a[0]) : [];
-    chains.push([...backward.reverse(), ...forward]);
+    const [[edge, x, y]] = segment,
+      forward = walk(segment, edge);
+    const other = at.get(edge).find((next) => !used.has(next));
+    chains.push([...(other ? walk(other, edge).reverse() : []), [x, y], ...forward]);
   }
   return chains;
 }

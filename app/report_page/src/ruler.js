@@ -19,7 +19,7 @@ export function ruler(rows, title) {
   const draw = (width) => {
     const narrow = width < 560,
       step = narrow ? 46 : 34,
-      left = narrow ? 12 : 12 + 6.6 * Math.max(...rows.map((r) => r.label.length)),
+      left = narrow ? 12 : 12 + 7.3 * Math.max(...rows.map((r) => r.label.length)),
       right = 58;
     const height = rows.length * step + 44,
       low = Math.min(1, ...all),

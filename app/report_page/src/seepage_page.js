@@ -53,7 +53,7 @@ function picture(result, mesh) {
     h(
       "p",
       { class: "note" },
-      "Click the picture, then the wheel zooms and dragging moves it; or hold Ctrl over it. With the keyboard: + and \u2212, arrows, 0 for all.",
+      "Click the picture, then the wheel zooms and dragging moves it; or hold Ctrl over it; on a telephone, two fingers zoom. With the keyboard: + and \u2212, arrows, 0 for all.",
     ),
   ];
 }

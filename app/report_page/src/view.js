@@ -233,14 +233,15 @@ export class View {
     axisName(this.axes.x, "x [m]", MARGIN.left + width / 2, 33, 0);
     axisName(this.axes.y, "y [m]", -MARGIN.top - height / 2, -34, -90);
     this.barGroup.replaceChildren();
-    if (this.field && this.hasBar)
-      drawBar(
-        this.barGroup,
-        this.field,
-        MARGIN.left,
-        MARGIN.top + height + MARGIN.bottom,
-        Math.min(width, 520),
-      );
+    if (!this.field || !this.hasBar) return;
+    const left = width < 480 ? 8 : MARGIN.left;
+    drawBar(
+      this.barGroup,
+      this.field,
+      left,
+      MARGIN.top + height + MARGIN.bottom,
+      Math.min(this.width - left - MARGIN.right, 520),
+    );
   }
 
   drawField(m) {
