@@ -200,6 +200,12 @@ Json comparison_data(const fs::path& directory)
   data["case"] = case_data(directory / name_in(comparison.at("waters").at(0), "directory"));
   return data;
 }
+Json study_data(const fs::path& directory)
+{
+  Json data = {{"kind", "study"}, {"study", read_json(directory / "study.json", "members")}};
+  data["case"] = case_data(directory);
+  return data;
+}
 } // namespace
 
 Json report_data(const fs::path& directory)
@@ -210,9 +216,11 @@ Json report_data(const fs::path& directory)
   // A further kind of directory is a further line here and a page of its own in report_page/src.
   if (fs::exists(directory / "comparison.json", none))
     return comparison_data(directory);
+  if (fs::exists(directory / "study.json", none))
+    return study_data(directory);
   if (fs::exists(directory / "result.json", none))
     return run_data(directory);
-  refuse(directory, "holds neither result.json nor comparison.json",
+  refuse(directory, "holds neither result.json nor comparison.json nor study.json",
          "give the directory that `berm run --out` named");
 }
 } // namespace berm::app

@@ -5,6 +5,7 @@
 #include "app/cli.h"
 #include "app/console.h"
 #include "app/figures.h"
+#include "app/html_report.h"
 #include "app/process_team.h"
 #include "app/result_json.h"
 #include "app/run_writer.h"
@@ -70,6 +71,7 @@ Study plan(const StudyOptions& options, KeyPlaces& places)
     throw InputError(std::move(mistakes));
   places = {}; // what is wrong with the study is in no line of the file
   study.figures = own_value(document, "output.figures") != "false";
+  study.report = own_value(document, "output.report") != "false";
   study.case_path = options.case_path;
   study.case_text = text;
   study.overrides = options.overrides;
@@ -223,6 +225,8 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
     if (const std::string problem = draw_study(directory); !problem.empty())
       console.warn("no figures: " + problem);
   }
+  if (study.report && report_built_in())
+    write_report(directory);
   if (!options.quiet)
     std::cout << study_report(study) << "\nResults in " << directory.string() << "\n";
   return all_complete(study) ? exit_ok : exit_no_answer;

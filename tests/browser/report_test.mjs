@@ -198,6 +198,23 @@ test("a run-out is played", async () => {
   assert.deepEqual(page.heard, []);
 });
 
+test("a study is shown with its members", async () => {
+  const out = join(scratch, "study");
+  const vary = ["--vary", "soil.fill.cohesion_kPa=8,20"];
+  execFileSync(BERM, ["study", join(EMBANKMENT, "dry.toml"), "--out", out, ...vary, ...COARSE], {
+    stdio: "inherit",
+  });
+  const study = json(out, "study.json");
+  const page = await open(out);
+  const rows = page.locator("#answer tbody tr");
+  assert.equal(await rows.count(), 2);
+  for (const [i, member] of study.members.entries())
+    assert.ok((await rows.nth(i).textContent()).includes(member.factor.toFixed(3)));
+  assert.equal(await page.locator("#curves circle").count() >= 2, true);
+  assert.deepEqual(page.heard, []);
+  await fitsPhoneAndPaper(out, page);
+});
+
 test("text of the user is text", async () => {
   const hostile = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
   const path = join(scratch, "hostile.toml");

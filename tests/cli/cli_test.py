@@ -170,7 +170,7 @@ class Cli(BermTest):
         _, err = self.berm("report", "nowhere", code=2)
         self.assertIn("nowhere: is not a directory", err)
         _, err = self.berm("report", ".", code=2)
-        self.assertIn("neither result.json nor comparison.json", err)
+        self.assertIn("neither result.json nor comparison.json nor study.json", err)
         self.write("{}", "result.json")
         _, err = self.berm("report", ".", code=2)
         self.assertIn("is not a result of this version of berm", err)

@@ -3,9 +3,10 @@ import { comparisonPage } from "./comparison_page.js";
 import { h } from "./dom.js";
 import { preparePaper } from "./paper.js";
 import { runPage } from "./run_page.js";
+import { studyPage } from "./study_page.js";
 
 // A further kind of result is a further page here, and a line in app/report_data.cpp.
-const PAGES = { run: runPage, comparison: comparisonPage };
+const PAGES = { run: runPage, comparison: comparisonPage, study: studyPage };
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const page = document.getElementById("page");

@@ -5,7 +5,7 @@ import { chapter, facts, h, table } from "./dom.js";
 import { fixed, number } from "./numbers.js";
 
 export function provenance(data) {
-  const result = data.result ?? data.waters[0].result;
+  const result = data.result ?? data.study ?? data.waters[0].result;
   return chapter(
     "provenance",
     "Provenance",
