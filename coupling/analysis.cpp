@@ -366,20 +366,29 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
       timed(analysis, observer, "particles", [&] { return make_body(scene, input.sph.spacing); });
   stability.particles = body.particles;
   stability.pore_pressure = body.pore_pressure;
-  timed(analysis, observer, "settling", [&] { settle(body, scene, observer); });
-  stability.settled = body.settled.state;
-  stability.settlement = body.settled.settlement;
-  stability.particle_steps = body.particle_steps(static_cast<double>(body.settled.steps));
-  if (!body.moving) // without gradient correction every packing settles too far
-    sph::require_sound_settlement(stability.settlement, body.discretisation, stability.particles);
-
-  for (const Region& region : wanted)
-    require_particles(region, stability.particles);
-
   std::vector<Body> coarser;
-  if (!wanted.empty() && !body.moving)
-    coarser = timed(analysis, observer, "coarse settling",
-                    [&] { return coarser_bodies(scene, observer); });
+  try
+  {
+    timed(analysis, observer, "settling", [&] { settle(body, scene, observer); });
+    stability.settled = body.settled.state;
+    stability.settlement = body.settled.settlement;
+    stability.particle_steps = body.particle_steps(static_cast<double>(body.settled.steps));
+    if (!body.moving) // without gradient correction every packing settles too far
+      sph::require_sound_settlement(stability.settlement, body.discretisation, stability.particles);
+    for (const Region& region : wanted)
+      require_particles(region, stability.particles);
+    if (!wanted.empty() && !body.moving)
+      coarser = timed(analysis, observer, "coarse settling",
+                      [&] { return coarser_bodies(scene, observer); });
+  }
+  catch (const NotConverged&)
+  {
+    if (!observer.stop_requested())
+      throw;
+    analysis.stability.reset(); // soil that does not stand yet says nothing; the seepage stays
+    analysis.interrupted = true;
+    return analysis;
+  }
   for (const Body& c : coarser)
     stability.particle_steps += c.particle_steps(static_cast<double>(c.settled.steps));
   for (const Region& region : wanted)

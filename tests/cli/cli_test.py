@@ -321,6 +321,23 @@ class Cli(BermTest):
                               code=2)[1]
             self.assertIn(message, error)
 
+    @unittest.skipUnless(HAS_SEEPAGE, "needs the seepage stage")
+    def test_stopped_while_the_soil_settles_the_seepage_is_kept(self):
+        run = subprocess.Popen(
+            [BERM, "run", CASES / "seepage.toml", *NO_FIGURES, "--set", "sph.spacing_m=0.2",
+             "--set", "seepage.tolerance=1e-2", "--out", "out"],
+            cwd=self.dir, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        for line in run.stderr:
+            if line.strip() == "settling":
+                break
+        run.send_signal(signal.SIGINT)
+        run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 3)
+        result = self.result("out")
+        self.assertTrue(result["interrupted"])
+        self.assertFalse(result["complete"])
+        self.assertGreater(result["seepage"]["discharge_m2_s"], 0)
+
     def start_and_wait_for_trials(self):
         """A run that is in its strength reduction."""
         fine = ["--set", "sph.spacing_m=0.5"]
