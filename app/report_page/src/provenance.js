@@ -34,7 +34,7 @@ export function provenance(data) {
       h("summary", {}, "Libraries in this page"),
       h("pre", { class: "scroll", tabindex: "0" }, licences),
     ),
-    h("p", { class: "note" }, "This page stands alone: it loads nothing. Drawn with d3 and fflate."),
+    h("p", { class: "note screen" }, "This page stands alone: it loads nothing. Drawn with d3 and fflate."),
   );
 }
 
