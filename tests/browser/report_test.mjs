@@ -144,6 +144,12 @@ test("a run is shown with its numbers", async () => {
   await line.uncheck();
   await line.check();
 
+  // The point of a chart under the cursor.
+  const sign = page.locator("#stability .pair figure").first().locator("circle").first();
+  await sign.hover();
+  const told = await page.locator("#stability .pair .readout").first().textContent();
+  assert.match(told, /^F = [\d.]+: .*\nfactor F [\d.]+\nlargest displacement [\d.]+ m$/);
+
   for (const [kind, begins] of [
     ["PNG", "\x89PNG"],
     ["SVG", "<svg"],

@@ -1,58 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves and points on two axes.
 import { axisBottom, axisLeft } from "d3-axis";
-import { scaleLinear, scaleLog } from "d3-scale";
+import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
+import { axisName, styleAxis } from "./axes.js";
 import { h, s } from "./dom.js";
-import { number, power } from "./numbers.js";
+import { number } from "./numbers.js";
 import { followWidth } from "./paper.js";
 import { saveButtons } from "./save.js";
-import { axisName, styleAxis } from "./axes.js";
 
 const M = { left: 62, right: 16, top: 12, bottom: 44 };
 
-/** The smallest and largest of an axis, with room; from zero where nothing is negative. */
-function domain(values, axis) {
-  let low = Math.min(...values),
+/** The smallest and largest of an axis, with room; from zero where nothing is negative, unless `zero` is false. */
+function domain(values, { zero = true }) {
+  const low = Math.min(...values),
     high = Math.max(...values);
-  for (const v of axis.include ?? []) [low, high] = [Math.min(low, v), Math.max(high, v)];
-  if (axis.log) return [low / 1.3, high * 1.5];
-  if (axis.zero !== false && low >= 0) return [0, high * 1.06 || 1];
+  if (zero && low >= 0) return [0, high * 1.06 || 1];
   const room = 0.06 * (high - low || Math.abs(high) || 1);
   return [low - room, high + room];
 }
 
 /** Texts of an axis's ticks: all with as many places; numbers far from 1 as powers of ten. */
-function labels(axis, scale, count) {
+function labels(scale, count) {
   const most = Math.max(...scale.domain().map(Math.abs));
-  if (axis.log) return (v) => power(Math.round(Math.log10(v)));
   return most >= 1e6 || most < 1e-3 ? (v) => number(v, 2) : scale.tickFormat(count);
 }
-const isPower = (v) => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9;
 
 /**
- * x, y: { title, log, zero, include }; series: { label, points [[x, y]], colour, dash, shape ("dot", "ring",
- * "cross"; without one: a line), tips }; bands and lines across: { from, to, colour }, { at, colour, text }.
+ * x, y: { title, zero }; series: { label, points [[x, y]], colour, dash, shape ("dot", "ring", "cross"; without
+ * one: a line), tips: a text for each point }; bands: { from, to, colour } along x.
  */
-export function chart({ title, x, y, series, bands = [], verticals = [], height = 260 }) {
-  const svg = s("svg", { role: "img", "aria-label": title });
-  const stage = h("div", { class: "chart-stage" }, svg);
-  const view = { svg, title, layers: [] };
-  const legend = h("div", { class: "legend" });
+export function chart({ title, x, y, series, bands = [], height = 260 }) {
+  const svg = s("svg", { role: "img", "aria-label": title }),
+    readout = h("div", { class: "readout", hidden: true });
+  const stage = h("div", { class: "chart-stage" }, svg, readout);
   const drawn = series.filter((one) => one.points.length);
-  for (const one of drawn.filter((o) => o.label)) {
-    const layer = one.shape
-      ? { label: one.label, shown: true, marks: [{ shape: one.shape, colour: one.colour }] }
-      : {
-          label: one.label,
-          shown: true,
-          lines: [[]],
-          look: { stroke: one.colour, dash: one.dash, width: 2 },
-        };
-    view.layers.push(layer);
-    legend.append(h("span", { class: "item" }, swatch(one), one.label));
-  }
-  const root = h(
+  const view = { svg, title, layers: drawn.filter((one) => one.label).map(legendLayer) };
+  const legend = drawn
+    .filter((one) => one.label)
+    .map((one) => h("span", { class: "item" }, swatch(one), one.label));
+  let scales;
+  const draw = (width) => {
+    Object.assign(view, { width, height });
+    const right = width - M.right,
+      bottom = height - M.bottom,
+      all = drawn.flatMap((one) => one.points);
+    const xs = scaleLinear(
+      domain(
+        all.map((p) => p[0]),
+        x,
+      ),
+      [M.left, right],
+    );
+    const ys = scaleLinear(
+      domain(
+        all.map((p) => p[1]),
+        y,
+      ),
+      [bottom, M.top],
+    );
+    const gx = s("g", { transform: `translate(0,${bottom})` }),
+      gy = s("g", { transform: `translate(${M.left},0)` });
+    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    svg.replaceChildren(
+      ...bands.map((b) =>
+        s("rect", {
+          x: xs(b.from),
+          y: M.top,
+          width: Math.max(1, xs(b.to) - xs(b.from)),
+          height: bottom - M.top,
+          fill: b.colour,
+          opacity: 0.5,
+        }),
+      ),
+      gx,
+      gy,
+    );
+    const across = Math.max(3, width / 100);
+    select(gy).call(
+      axisLeft(ys)
+        .ticks(5)
+        .tickFormat(labels(ys, 5))
+        .tickSize(M.left - right),
+    );
+    select(gx).call(axisBottom(xs).ticks(across).tickFormat(labels(xs, across)));
+    for (const g of [gx, gy]) styleAxis(select(g));
+    select(gy).selectAll("line").attr("stroke", "#e3e7ea");
+    axisName(gx, x.title, (M.left + right) / 2, 36, 0);
+    axisName(gy, y.title, -(M.top + bottom) / 2, -48, -90);
+    for (const one of drawn) svg.append(...curve(one, xs, ys));
+    scales = { xs, ys };
+  };
+  followWidth(stage, draw);
+  svg.addEventListener("pointermove", (event) => {
+    const box = svg.getBoundingClientRect(),
+      ratio = view.width / box.width;
+    tell(
+      readout,
+      nearest(drawn, scales, (event.clientX - box.left) * ratio, (event.clientY - box.top) * ratio),
+      { x, y },
+      view,
+    );
+  });
+  svg.addEventListener("pointerleave", () => (readout.hidden = true));
+  return h(
     "figure",
     { class: "view chart" },
     h(
@@ -63,104 +114,54 @@ export function chart({ title, x, y, series, bands = [], verticals = [], height 
       saveButtons(view),
     ),
     stage,
-    legend,
+    h("div", { class: "legend" }, legend),
   );
-  const draw = (width) => {
-    Object.assign(view, { width, height });
-    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const all = drawn.flatMap((one) => one.points);
-    const positive = (v, axis) => !axis.log || v > 0;
-    const xs = (x.log ? scaleLog : scaleLinear)(
-      domain(
-        all.map((p) => p[0]).filter((v) => positive(v, x)),
-        x,
-      ),
-      [M.left, width - M.right],
-    );
-    const ys = (y.log ? scaleLog : scaleLinear)(
-      domain(
-        all.map((p) => p[1]).filter((v) => positive(v, y)),
-        y,
-      ),
-      [height - M.bottom, M.top],
-    );
-    svg.replaceChildren();
-    for (const band of bands)
-      svg.append(
-        s("rect", {
-          x: xs(band.from),
-          y: M.top,
-          width: Math.max(1, xs(band.to) - xs(band.from)),
-          height: height - M.top - M.bottom,
-          fill: band.colour,
-          opacity: 0.5,
-        }),
-      );
-    const gx = s("g", { transform: `translate(0,${height - M.bottom})` }),
-      gy = s("g", { transform: `translate(${M.left},0)` });
-    svg.append(gx, gy);
-    const ticks = (axis, scale, count) =>
-      axis.log ? scale.ticks(count).filter(isPower) : scale.ticks(count);
-    select(gy).call(
-      axisLeft(ys)
-        .tickValues(ticks(y, ys, 5))
-        .tickFormat(labels(y, ys, 5))
-        .tickSize(-(width - M.left - M.right)),
-    );
-    select(gx).call(
-      axisBottom(xs)
-        .tickValues(ticks(x, xs, Math.max(3, width / 100)))
-        .tickFormat(labels(x, xs, Math.max(3, width / 100))),
-    );
-    for (const g of [gx, gy]) styleAxis(select(g));
-    select(gy).selectAll("line").attr("stroke", "#e3e7ea");
-    axisName(gx, x.title, M.left + (width - M.left - M.right) / 2, 36, 0);
-    axisName(gy, y.title, -(M.top + (height - M.top - M.bottom) / 2), -48, -90);
-    for (const line of verticals) {
-      svg.append(
-        s("path", {
-          d: `M${xs(line.at)},${M.top}V${height - M.bottom}`,
-          stroke: line.colour,
-          "stroke-dasharray": line.dash ?? "5 3",
-          fill: "none",
-        }),
-      );
-      if (line.text)
-        svg.append(
-          s("text", { x: xs(line.at) + 4, y: M.top + 11, "font-size": 11, fill: line.colour }, line.text),
-        );
-    }
-    for (const one of drawn) svg.append(...curve(one, xs, ys, x, y));
-  };
-  followWidth(stage, draw);
-  return root;
 }
 
-function curve(one, xs, ys, x, y) {
-  const points = one.points.filter((p) => (!x.log || p[0] > 0) && (!y.log || p[1] > 0));
-  if (!one.shape)
-    return [
-      s(
-        "path",
-        {
-          d: "M" + points.map((p) => `${xs(p[0]).toFixed(1)},${ys(p[1]).toFixed(1)}`).join("L"),
-          fill: "none",
-          stroke: one.colour,
-          "stroke-width": one.width ?? 1.8,
-          "stroke-dasharray": one.dash ?? null,
-          "stroke-linejoin": "round",
-        },
-        one.label ? s("title", {}, one.label) : null,
-      ),
-    ];
-  return points.map((p, i) =>
-    s(
-      "g",
-      { transform: `translate(${xs(p[0])},${ys(p[1])})` },
-      sign(one),
-      one.tips ? s("title", {}, one.tips[i]) : null,
-    ),
-  );
+/** The point of all series that is nearest to a place, within 40 pixels. */
+function nearest(drawn, { xs, ys }, px, py) {
+  let best = null,
+    least = 40;
+  for (const one of drawn)
+    one.points.forEach((p, i) => {
+      const left = xs(p[0]),
+        top = ys(p[1]),
+        distance = Math.hypot(left - px, top - py);
+      if (distance < least) [best, least] = [{ one, p, i, left, top }, distance];
+    });
+  return best;
+}
+
+/** Its values beside it, each with the name and unit of its axis. */
+function tell(readout, found, { x, y }, view) {
+  readout.hidden = !found;
+  if (!found) return;
+  const { one, p, i, left, top } = found;
+  const value = (axis, v) =>
+    axis.title.replace(/ \[(.*)\]$/, (_, unit) => ` ${number(v, 4)}${unit === "-" ? "" : ` ${unit}`}`);
+  readout.textContent = [one.tips?.[i] ?? one.label, value(x, p[0]), value(y, p[1])]
+    .filter(Boolean)
+    .join("\n");
+  const onRight = left > view.width / 2;
+  readout.style.left = onRight ? "" : `${(100 * (left + 12)) / view.width}%`;
+  readout.style.right = onRight ? `${100 - (100 * (left - 12)) / view.width}%` : "";
+  readout.style.top = `${(100 * Math.max(0, top - 30)) / view.height}%`;
+}
+
+function curve(one, xs, ys) {
+  if (one.shape)
+    return one.points.map((p) => s("g", { transform: `translate(${xs(p[0])},${ys(p[1])})` }, sign(one)));
+  const d = "M" + one.points.map((p) => `${xs(p[0]).toFixed(1)},${ys(p[1]).toFixed(1)}`).join("L");
+  return [
+    s("path", {
+      d,
+      fill: "none",
+      stroke: one.colour,
+      "stroke-width": one.width ?? 1.8,
+      "stroke-dasharray": one.dash ?? null,
+      "stroke-linejoin": "round",
+    }),
+  ];
 }
 
 function sign(one) {
@@ -192,3 +193,12 @@ const swatch = (one) =>
           "stroke-dasharray": one.dash ?? null,
         }),
   );
+
+/** For the legend of a saved picture. */
+function legendLayer({ label, shape, colour, dash }) {
+  return {
+    label,
+    shown: true,
+    ...(shape ? { marks: [{ shape, colour }] } : { lines: [[]], look: { stroke: colour, dash, width: 2 } }),
+  };
+}

@@ -32,7 +32,9 @@ export function meshFields(mesh, sharp) {
   const nodal = (values) => (raster) => raster.triangles(mesh, values, true);
   return {
     head: () => {
-      const dry = sharp && extremes(mesh.pore_pressure)[0] < 0;
+      const [driest, wettest] = extremes(mesh.pore_pressure);
+      const dry = sharp && driest < 0 && wettest >= 0;
+      const wetHeads = mesh.head.filter((_, i) => mesh.pore_pressure[i] >= 0);
       const draw = (raster) => {
         raster.triangles(mesh, mesh.head, true);
         if (dry) raster.below(mesh, mesh.pore_pressure);
@@ -40,7 +42,7 @@ export function meshFields(mesh, sharp) {
       return {
         title: `Hydraulic head above y = 0 [m]${dry ? "; pale: above the phreatic line" : ""}`,
         draw,
-        colours: colourScale("viridis", extremes(mesh.head), dry ? DRY : null),
+        colours: colourScale("viridis", extremes(dry ? wetHeads : mesh.head), dry ? DRY : null),
         value: (v) => (v === -Infinity ? "above the phreatic line" : named("head", "m")(v)),
       };
     },
