@@ -109,11 +109,11 @@ double height_of_water(const MeshSolution& solution)
 void report(const SolveHistory& h, const ErrorEstimate& error, std::size_t number,
             Observer& observer)
 {
-  std::string off;
+  std::string off = " m2/s";
   if (error.discharge)
-    off = fmt::format(" +- {:.1e}, phreatic line +- {:.2g} m", *error.discharge,
+    off = fmt::format(" +- {:.1e} m2/s, phreatic line +- {:.2g} m", *error.discharge,
                       error.phreatic_line.value_or(0));
-  observer.note(fmt::format("mesh {}: {} unknowns, {} Newton steps, q = {:.6g}{} m2/s; {:.2g} s + "
+  observer.note(fmt::format("mesh {}: {} unknowns, {} Newton steps, q = {:.6g}{}; {:.2g} s + "
                             "{:.2g} s for the mesh",
                             number, h.unknowns, h.newton_steps, h.discharge, off, h.seconds,
                             h.mesh_seconds));

@@ -4,6 +4,8 @@
 #include "core/tensor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -83,16 +85,28 @@ void cut_columns(const Solution& solution, std::vector<Column>& columns)
 void descend(Column& column, std::span<const double> buoyant_weight, double tolerance, Heave& heave)
 {
   std::ranges::stable_sort(column.segments, std::ranges::greater{}, &Segment::top);
-  double y = column.at.y(), weight = 0;
-  for (const Segment& s : column.segments)
+  double y = column.at.y(), head = column.head, weight = 0;
+  for (std::size_t k = 0; k < column.segments.size(); ++k)
   {
     // A column along an edge is cut from the triangles on both sides; what lies above an overhang
     // does not belong to it.
-    if (s.bottom > y - tolerance)
+    if (column.segments[k].bottom > y - tolerance)
       continue;
-    const bool gap = s.top < y - tolerance;
-    if (gap || s.head_bottom < s.bottom)
+    if (column.segments[k].top < y - tolerance) // a gap
       return;
+    // Along a wall the sides differ in head: the column goes on where it began.
+    const Segment* next = &column.segments[k];
+    for (std::size_t other = k + 1;
+         other < column.segments.size() && column.segments[other].top > next->top - tolerance;
+         ++other)
+      if (const Segment& s = column.segments[other];
+          s.bottom <= y - tolerance &&
+          std::abs(s.head_top - head) < std::abs(next->head_top - head))
+        next = &s;
+    const Segment& s = *next;
+    if (s.head_bottom < s.bottom)
+      return;
+    head = s.head_bottom;
     weight += buoyant_weight[static_cast<std::size_t>(s.soil)] * (y - s.bottom);
     y = s.bottom;
     const double depth = column.at.y() - y, excess = s.head_bottom - column.head;

@@ -121,5 +121,37 @@ TEST(Heave, DoesNotReachAcrossAGap)
   EXPECT_NEAR(h.column->factor, 11e3 / gamma_w / 0.1, 1e-9);
   EXPECT_LE(h.column->depth, 1.2 + 1e-12);
 }
+
+// On the other side of a wall of no thickness the head is 5 m higher: the column along the wall
+// stays on its own side.
+TEST(Heave, StaysOnItsSideOfAWall)
+{
+  ExactFlow flow = test::rising_water(0.5, 0.5);
+  const double wall = flow.find_outlets()[0].points[1].at.x();
+  std::vector<Outlet> outlets = flow.find_outlets();
+  std::erase_if(outlets[0].points, [&](const ExitPoint& p) { return p.at.x() != wall; });
+  ASSERT_FALSE(outlets[0].points.empty());
+  Solution& solution = flow.solution;
+  meshes::TriangleMesh& mesh = solution.mesh;
+  std::vector<Index> twin(mesh.nodes.size(), -1);
+  for (std::size_t i = 0, n = mesh.nodes.size(); i < n; ++i)
+    if (mesh.nodes[i].x() == wall)
+    {
+      twin[i] = static_cast<Index>(mesh.nodes.size());
+      mesh.nodes.emplace_back(mesh.nodes[i]);
+      solution.head.push_back(solution.head[i] + 5);
+    }
+  for (auto& triangle : mesh.triangles)
+  {
+    const bool other_side = std::ranges::any_of(
+        triangle, [&](Index i) { return mesh.nodes[static_cast<std::size_t>(i)].x() < wall; });
+    for (Index& i : triangle)
+      if (other_side && twin[static_cast<std::size_t>(i)] >= 0)
+        i = twin[static_cast<std::size_t>(i)];
+  }
+  const Heave h = heave(solution, outlets, std::vector<double>{10e3, 10e3});
+  ASSERT_TRUE(h.column);
+  EXPECT_NEAR(h.column->factor, 10e3 / gamma_w / 0.5, 1e-11);
+}
 } // namespace
 } // namespace berm::seepage
