@@ -170,21 +170,17 @@ int check_case(const RunOptions& options, KeyPlaces& places)
   return exit_ok;
 }
 
-void add_case_options(CLI::App& command, RunOptions& options)
+void add_case_options(CLI::App& command, std::string& path, std::vector<std::string>& overrides)
 {
-  command
-      .add_option("CASE", options.case_path, "Case file (TOML); `berm reference` lists its keys")
-      ->required();
-  command
-      .add_option("--set", options.read.overrides,
-                  "Replace or add a key of the case file; may be repeated")
+  command.add_option("CASE", path, "Case file (TOML); `berm reference` lists its keys")->required();
+  command.add_option("--set", overrides, "Replace or add a key of the case file; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
 void add_run_options(CLI::App& command, RunOptions& options)
 {
-  add_case_options(command, options);
+  add_case_options(command, options.case_path, options.read.overrides);
   command
       .add_option("--out", options.out,
                   "Directory for the results [results/<case's folder>_<case's name>]")
@@ -213,18 +209,15 @@ void add_init_options(CLI::App& command, std::string& name, std::string& kind)
 
 void add_study_options(CLI::App& command, StudyOptions& options)
 {
+  add_case_options(command, options.case_path, options.overrides);
   command
-      .add_option("CASE", options.case_path, "Case file (TOML); `berm reference` lists its keys")
-      ->required();
-  const auto texts = [&](const char* name, std::vector<std::string>& list, const char* what)
-  { return command.add_option(name, list, what)->type_name("KEY=VALUE")->allow_extra_args(false); };
-  texts(
-      "--vary", options.vary,
-      "Values of a key: a,b,c or from:to:count or from:to:count:log; may be repeated. A value may "
-      "be any TOML; KEY+KEY=... gives several keys the same value")
+      .add_option(
+          "--vary", options.vary,
+          "Values of a key: a,b,c or from:to:count or from:to:count:log; may be repeated. A "
+          "value may be any TOML; KEY+KEY=... gives several keys the same value")
       ->type_name("KEY=VALUES")
+      ->allow_extra_args(false)
       ->required();
-  texts("--set", options.overrides, "Replace or add a key of the case file; may be repeated");
   CLI::Option* pairs = command.add_flag_callback(
       "--pairs", [&] { options.design = Design::pairs; },
       "The first values of all keys, the second ones, ... in place of every combination");
@@ -283,7 +276,7 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   std::string report_of;
   report->add_option("DIR", report_of, "What --out named")->required();
   CLI::App* check = app.add_subcommand("check", "Report every mistake in a case file; run nothing");
-  add_case_options(*check, options);
+  add_case_options(*check, options.case_path, options.read.overrides);
   std::string new_case, kind = "embankment", format = "md";
   CLI::App* init = app.add_subcommand("init", "Write a commented case file to begin with");
   add_init_options(*init, new_case, kind);

@@ -3,15 +3,16 @@
 
 #include "app/hdf5_file.h"
 #include "app/packed_array.h"
+#include "app/text_file.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace berm::app
@@ -29,19 +30,18 @@ constexpr std::size_t frame_budget = 4'000'000;
   throw InputError({{.value = path.string(), .problem = problem, .hint = hint}});
 }
 
-std::string text_of(const fs::path& path)
+std::string required_text(const fs::path& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file)
+  std::optional<std::string> text = text_of(path);
+  if (!text)
     throw IoError(path.string() + ": cannot be read");
-  return text;
+  return std::move(*text);
 }
 
 /// A file of berm's own, format 1.
 Json read_json(const fs::path& path, const char* must_have)
 {
-  Json json = Json::parse(text_of(path), nullptr, false);
+  Json json = Json::parse(required_text(path), nullptr, false);
   if (!json.is_object() || !json.contains("format") || json["format"] != 1 ||
       !json.contains(must_have))
     refuse(path, "is not a result of this version of berm", "run the case again");
@@ -154,17 +154,17 @@ Json tables(const fs::path& directory, const Json& result)
 {
   Json json = Json::object();
   if (fs::exists(directory / "exit_gradients.csv"))
-    json["exit_gradients"] = text_of(directory / "exit_gradients.csv");
+    json["exit_gradients"] = required_text(directory / "exit_gradients.csv");
   json["lines"] = Json::array();
   if (result.contains("seepage"))
     for (const Json& line : result.at("seepage").value("lines", Json::array()))
-      json["lines"].push_back(text_of(directory / "lines" / name_in(line, "file")));
+      json["lines"].push_back(required_text(directory / "lines" / name_in(line, "file")));
   return json;
 }
 
 Json case_data(const fs::path& directory)
 {
-  const std::string text = text_of(directory / "case.toml");
+  const std::string text = required_text(directory / "case.toml");
   return {{"text", text}, {"sha256", hexadecimal(sha256(text))}};
 }
 

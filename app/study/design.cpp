@@ -64,9 +64,7 @@ std::vector<Choice> choices_one_at_a_time(const std::vector<Variation>& variatio
   for (std::size_t v = 0; v < variations.size(); ++v)
     for (std::size_t k = 0; k < variations[v].values.size(); ++k)
     {
-      const std::string& value = variations[v].values[k];
-      const auto x = number_in(value), own = number_in(base[v]);
-      if (value == base[v] || (x && own && *x == *own))
+      if (same_value(variations[v].values[k], base[v]))
         continue;
       choices.push_back(choices.front());
       choices.back()[v] = k;

@@ -2,6 +2,7 @@
 #include "app/study/folder.h"
 
 #include "app/run_writer.h"
+#include "app/text_file.h"
 #include "app/version.h"
 #include "core/error.h"
 
@@ -12,22 +13,11 @@
 #include <unistd.h>
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <cerrno>
 
 namespace berm::app
 {
-namespace
-{
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-} // namespace
 
 StudyFolder::StudyFolder(const fs::path& directory) : directory_(directory)
 {
@@ -61,9 +51,9 @@ void StudyFolder::clear() const
 
 bool StudyFolder::holds_of_another_build(const Study& study) const
 {
-  const std::string text = text_of(directory_ / "study.json");
+  const std::string text = text_of(directory_ / "study.json").value_or("");
   const Json stored = text.empty() ? Json(nullptr) : Json::parse(text, nullptr, false);
-  const auto list = differences(study, stored, text_of(directory_ / "case.toml"));
+  const auto list = differences(study, stored, text_of(directory_ / "case.toml").value_or(""));
   if (!list.empty())
     throw InputError(
         {{.key = "--out",
@@ -81,6 +71,6 @@ void StudyFolder::take_reference(const std::string& path) const
   if (path.empty())
     fs::remove(copy, none);
   else if (!fs::equivalent(path, copy, none))
-    write_aside(copy, text_of(path));
+    write_aside(copy, text_of(path).value_or(""));
 }
 } // namespace berm::app

@@ -2,6 +2,7 @@
 #include "app/study/result.h"
 
 #include "app/cli.h"
+#include "app/text_file.h"
 #include "app/version.h"
 
 #include <fmt/format.h>
@@ -9,22 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace berm::app
 {
 namespace
 {
 namespace fs = std::filesystem;
-
-std::optional<std::string> text_of(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
 
 /// The number at a path of keys; nothing if it is not there, or null.
 std::optional<double> number_at(const Json& json, const char* pointer)

@@ -67,12 +67,6 @@ std::optional<Ranged> range_in(const std::string& text)
   return range;
 }
 
-bool same_value(const std::string& a, const std::string& b)
-{
-  const auto x = number_in(a), y = number_in(b);
-  return a == b || (x && y && *x == *y);
-}
-
 /// One text of --vary; `mistakes` gains what is wrong with it.
 Variation parse_variation(const std::string& text, std::vector<Mistake>& mistakes)
 {
@@ -176,5 +170,11 @@ std::optional<double> number_in(std::string_view text)
   const bool all =
       error == std::errc{} && rest == text.data() + text.size() && std::isfinite(value);
   return all ? std::optional(value) : std::nullopt;
+}
+
+bool same_value(const std::string& a, const std::string& b)
+{
+  const auto x = number_in(a), y = number_in(b);
+  return a == b || (x && y && *x == *y);
 }
 } // namespace berm::app

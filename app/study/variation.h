@@ -36,4 +36,7 @@ struct Variation
 
 /// @brief The number that a text is, all of it; nothing for other texts.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
+
+/// @brief The same text, or the same number.
+[[nodiscard]] bool same_value(const std::string& a, const std::string& b);
 } // namespace berm::app

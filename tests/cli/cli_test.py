@@ -293,6 +293,7 @@ class Cli(BermTest):
     @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
     def test_a_section_comes_from_gmsh_and_goes_back_to_it(self):
         case = SOURCE / "cases" / "gmsh_dam" / "steady.toml"
+        # Coarse: both solve the same section on the same meshes, however fine.
         coarse = ["--set", "seepage.tolerance=1e-2", *NO_FIGURES]
         self.berm("seepage", case, *coarse, "--set", "output.msh=true", "--out", "drawn")
         drawn = self.result("drawn")
@@ -302,8 +303,8 @@ class Cli(BermTest):
         self.berm("seepage", "case.toml", *coarse, "--out", "meshed")
         meshed = self.result("meshed")
         self.assertEqual(meshed["section"]["outline_m"], drawn["section"]["outline_m"])
-        self.assertAlmostEqual(meshed["seepage"]["discharge_m2_s"],
-                               drawn["seepage"]["discharge_m2_s"], delta=1e-12)
+        q = drawn["seepage"]["discharge_m2_s"]  # 1e-5 of it: far below a mesh's error
+        self.assertAlmostEqual(meshed["seepage"]["discharge_m2_s"], q, delta=1e-12)
 
     @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
     def test_mistakes_of_a_mesh_file_are_told_with_those_of_the_case(self):
@@ -325,7 +326,7 @@ class Cli(BermTest):
     def test_stopped_while_the_soil_settles_the_seepage_is_kept(self):
         run = subprocess.Popen(
             [BERM, "run", CASES / "seepage.toml", *NO_FIGURES, "--set", "sph.spacing_m=0.2",
-             "--set", "seepage.tolerance=1e-2", "--out", "out"],
+             "--set", "seepage.tolerance=1e-2", "--out", "out"],  # any seepage will do, soon
             cwd=self.dir, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         for line in run.stderr:
             if line.strip() == "settling":

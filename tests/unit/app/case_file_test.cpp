@@ -181,7 +181,7 @@ std::vector<std::string> with_seepage(std::vector<std::string> overrides)
 TEST(CaseFile, AsksForWaterThatIsNamedBeItDryInEffect)
 {
   if (!seepage_built_in())
-    GTEST_SKIP();
+    GTEST_SKIP() << "built without the seepage stage";
   EXPECT_NE(read_set(with_seepage({})).about("water.pore_pressure"), nullptr);
   EXPECT_NE(read_set(with_seepage({"seepage.boundary[1]={line_m=[[40,-5],[40,0]], "
                                    "kind=\"inflow\", value=-1e-8}"}))
@@ -199,7 +199,7 @@ TEST(CaseFile, AsksForWaterThatIsNamedBeItDryInEffect)
 TEST(CaseFile, RefusesRainOnALineInTheSoil)
 {
   if (!seepage_built_in())
-    GTEST_SKIP();
+    GTEST_SKIP() << "built without the seepage stage";
   const ReadResult result = read_set(
       with_seepage({"seepage.boundary[1]={line_m=[[5,0],[10,0]], kind=\"rain\", value=1e-8}"}));
   ASSERT_NE(result.about("seepage.boundary[1].kind"), nullptr) << result.text();

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/text_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace berm::app
+{
+std::optional<std::string> text_of(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  return file ? std::optional(std::move(text)) : std::nullopt;
+}
+} // namespace berm::app
