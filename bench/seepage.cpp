@@ -111,6 +111,7 @@ struct Notes : Observer
     if (speaks)
       fmt::print(stderr, "{}\n", text);
   }
+  void detail(std::string_view text) override { note(text); }
   void warn(std::string_view text) override { note(fmt::format("warning: {}", text)); }
 };
 

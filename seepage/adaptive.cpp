@@ -3,6 +3,7 @@
 #include "meshes/mesher.h"
 #include "meshes/planar.h"
 #include "seepage/first_mesh.h"
+#include "seepage/head_bounds.h"
 #include "seepage/one_mesh.h"
 #include "seepage/refinement.h"
 #include "seepage/seepage.h"
@@ -24,6 +25,7 @@ namespace
 /// docs/theory.md eq. (2.19).
 constexpr double least_error_share = 0.1;
 constexpr double phreatic_tolerance_share = 1e-3; ///< of the height of the water, by default
+constexpr double silent_excess = 1e-3;            ///< of heads over their range [-]
 constexpr std::size_t most_distances = 500; ///< of a phreatic line from that of the mesh before
 
 double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
@@ -154,6 +156,11 @@ Solution solve(const meshes::Section& section, const std::vector<Conductivity>& 
   ErrorEstimate error;
   const auto answer = [&](MeshSolution last)
   {
+    const double excess = head_excess(last.mesh, last.conditions, last.field.p);
+    if (excess > silent_excess)
+      observer.warn(fmt::format("seepage: heads leave the range that the boundary allows by {:.2g} "
+                                "of it; the mesh does not resolve so anisotropic a soil",
+                                excess));
     Solution solution = finished(std::move(last), problem);
     solution.error = std::move(error);
     solution.history = std::move(history);

@@ -29,6 +29,7 @@ struct CoarserField
 /// "coarser mesh in steps": from its solution, smoothed as there, then less from level to level;
 /// "full section": from h = H everywhere, likewise; on the first mesh and as a last resort, since
 /// behind tight cores it may take hundreds of steps.
+/// A field whose heads leave the range that the boundary allows by a tenth of it counts as none.
 /// On a finer mesh all of them together have a budget of Newton steps.
 /// The observer is told of each that fails. The history counts the steps of all, and names the one
 /// that answered.
