@@ -4,9 +4,11 @@
 #include "app/case_file.h"
 #include "app/case_schema.h"
 #include "app/case_templates.h"
+#include "app/checkpoint.h"
 #include "app/cli_pages.h"
 #include "app/comparison_files.h"
 #include "app/console.h"
+#include "app/directory_lock.h"
 #include "app/figures.h"
 #include "app/frame_files.h"
 #include "app/html_report.h"
@@ -25,6 +27,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <span>
 
 namespace berm::app
@@ -40,28 +43,50 @@ struct RunOptions
   std::string log; ///< file for the log; empty: none
   bool quiet = false;
   bool verbose = false;
-  bool resume = false; ///< go on with a run-out
+  bool resume = false; ///< go on with a run that was stopped
   int threads = 0;     ///< 0: what the case says
 };
 
+/// Where the results go; no other process writes there meanwhile.
+struct Place
+{
+  std::filesystem::path directory;
+  std::unique_ptr<DirectoryLock> lock; ///< of rank 0
+};
+
 /// Before anything is computed: threads as the user says, or as the case does, or shared among the
-/// processes; signals caught; a place for the results, which is returned.
-std::filesystem::path begin_run(const RunOptions& options, const coupling::Case& input,
-                                const std::string& suffix, KeyPlaces& places)
+/// processes; signals caught; a place for the results.
+Place begin_run(const RunOptions& options, const coupling::Case& input, const std::string& suffix,
+                KeyPlaces& places)
 {
   Team& team = process_team();
-  const std::filesystem::path directory = options.out.empty()
-                                              ? default_directory(options.case_path) += suffix
-                                              : std::filesystem::path(options.out);
+  Place place{.directory = options.out.empty() ? default_directory(options.case_path) += suffix
+                                               : std::filesystem::path(options.out),
+              .lock = nullptr};
   if (team.rank() == 0)
-    prepare_directory(directory);
+  {
+    prepare_directory(place.directory);
+    place.lock = std::make_unique<DirectoryLock>(place.directory);
+  }
   if (const int threads = options.threads > 0 ? options.threads : input.sph.threads; threads > 0)
     omp_set_num_threads(threads);
   else if (team.size() > 1)
     omp_set_num_threads(std::max(1, omp_get_max_threads() / team.size()));
   places.run_began = true;
   catch_stop_signals();
-  return directory;
+  return place;
+}
+
+/// `berm run --resume DIR`: case, --set and --out as when the run began.
+RunOptions as_begun(RunOptions options)
+{
+  if (!options.resume || !std::filesystem::is_directory(options.case_path))
+    return options;
+  StoppedRun run = stopped_run(options.case_path);
+  options.out = options.case_path;
+  options.case_path = std::move(run.case_path);
+  options.read.overrides = std::move(run.overrides);
+  return options;
 }
 
 /// On stderr, of one of the ranks.
@@ -86,22 +111,32 @@ void add_report(const std::filesystem::path& directory, const coupling::Case& in
     console.warn("no report: berm was built without its page");
 }
 
-int run_case(const RunOptions& options, KeyPlaces& places)
+int run_case(const RunOptions& given, KeyPlaces& places)
 {
+  const RunOptions options = as_begun(given);
   coupling::Case input = read_case(options.case_path, options.read, places);
   Team& team = process_team();
   // The seepage stage alone: the ranks share it. Before trials, which they share, each does all of
   // it, so that no result depends on their number.
   input.seepage.distributed = options.read.seepage_only && team.size() > 1;
   const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
-  const std::filesystem::path directory = begin_run(options, input, "", places);
-  FrameFiles frames(directory, options.resume);
+  const Place place = begin_run(options, input, "", places);
+  const std::filesystem::path& directory = place.directory;
+  Checkpoint checkpoint(directory, input);
+  if (options.resume)
+    checkpoint.require_same();
+  if (speaks)
+    checkpoint.begin(options.resume);
+  (void)team.any(false); // the others write there, too
+  FrameFiles frames(checkpoint.frames());
   Console console = console_of(options, speaks);
-  const coupling::Analysis analysis = coupling::analyse(input, console, frames, team);
+  const coupling::Analysis analysis = coupling::analyse(input, console, frames, checkpoint, team);
   if (!speaks)
     return complete(input, analysis) ? exit_ok : exit_no_answer;
 
-  write_run(directory, input, analysis, console.warnings());
+  write_run(directory, input, analysis, console.warnings(), checkpoint.frames());
+  if (!analysis.interrupted)
+    checkpoint.remove();
   if (input.output.figures && !analysis.interrupted)
   {
     console.stage("figures");
@@ -122,7 +157,8 @@ int compare_case(RunOptions options, KeyPlaces& places)
   const coupling::Case input = read_case(options.case_path, options.read, places);
   Team& team = process_team();
   const bool speaks = team.rank() == 0;
-  const std::filesystem::path directory = begin_run(options, input, "_compared", places);
+  const Place place = begin_run(options, input, "_compared", places);
+  const std::filesystem::path& directory = place.directory;
   Console console = console_of(options, speaks);
   const auto draw = [&](const std::string& problem)
   {
@@ -260,7 +296,8 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   CLI::App* run = app.add_subcommand("run", "Run all stages that a case asks for");
   add_run_options(*run, options);
   run->add_flag("--resume", options.resume,
-                "Go on with a run-out that was stopped, from its last frame in the directory");
+                "Go on with a run that was stopped or killed: of the same CASE and --out, or with "
+                "the directory of its results in place of CASE");
   CLI::App* seepage = app.add_subcommand("seepage", "Run the seepage stage of a case alone");
   add_run_options(*seepage, options);
   CLI::App* compare = app.add_subcommand(

@@ -39,6 +39,7 @@ void catch_stop_signals()
 {
   std::signal(SIGINT, on_stop_signal);
   std::signal(SIGTERM, on_stop_signal);
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
 }
 
 Console::Console(std::FILE* stream, bool terminal, Volume volume, const std::filesystem::path& log)

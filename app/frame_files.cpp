@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -17,7 +16,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr const char* folder = "run_out";
+constexpr const char* frames_folder = "run_out";
+
+std::string frame_name(Index number)
+{
+  return fmt::format("frame_{:04d}.h5", number);
+}
 
 /// What a frame holds besides fields, by its name on file.
 template <class Frame, class Visit>
@@ -37,18 +41,13 @@ void visit_numbers(Frame& frame, const Visit& visit)
   visit("damping_J_m", e.damping);
 }
 
-/// What must be the same for a run-out to go on.
+/// Which run-out a frame is of.
 std::array<std::pair<const char*, double>, 4> identity(double factor, const sph::RunOutSettings& s)
 {
   return {{{"factor", factor},
            {"frame_interval_s", s.frame_interval},
            {"shake_m_s2", s.shake},
            {"shake_duration_s", s.shake_duration}}};
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// Columns x and y of rows (x, y) or (x, y, 0).
@@ -67,26 +66,41 @@ std::pair<std::vector<double>, std::vector<double>> columns(const std::vector<do
 
 std::string frame_file(Index number)
 {
-  return fmt::format("{}/frame_{:04d}.h5", folder, number);
+  return fmt::format("{}/{}", frames_folder, frame_name(number));
 }
 
 void remove_frames(const fs::path& directory)
 {
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(directory / folder, ignored))
+  for (const auto& entry : fs::directory_iterator(directory / frames_folder, ignored))
     if (entry.path().filename().string().starts_with("frame_"))
       fs::remove(entry.path(), ignored);
-  fs::remove(directory / folder, ignored); // only if empty
+  fs::remove(directory / frames_folder, ignored); // only if empty
 }
 
-FrameFiles::FrameFiles(fs::path directory, bool resume)
-    : directory_(std::move(directory)), resume_(resume)
+void publish_frames(const fs::path& folder, const fs::path& directory)
 {
+  remove_frames(directory);
+  std::error_code error;
+  fs::create_directories(directory / frames_folder, error);
+  for (const auto& entry : fs::directory_iterator(folder, error))
+  {
+    const fs::path frame = directory / frames_folder / entry.path().filename();
+    if (entry.path().extension() != ".h5")
+      continue; // half a frame
+    fs::create_hard_link(entry.path(), frame, error);
+    if (error) // this file system has none
+      fs::copy_file(entry.path(), frame, fs::copy_options::overwrite_existing, error);
+    if (error)
+      throw IoError(frame.string() + ": " + error.message());
+  }
+  if (error)
+    throw IoError((directory / frames_folder).string() + ": " + error.message());
 }
 
 fs::path FrameFiles::path(Index number) const
 {
-  return directory_ / frame_file(number);
+  return folder_ / frame_name(number);
 }
 
 void FrameFiles::open(const sph::Particles& particles, double factor,
@@ -95,12 +109,10 @@ void FrameFiles::open(const sph::Particles& particles, double factor,
   particles_ = &particles;
   factor_ = factor;
   settings_ = settings;
-  if (!resume_)
-    remove_frames(directory_);
   std::error_code error;
-  fs::create_directories(directory_ / folder, error);
+  fs::create_directories(folder_, error);
   if (error)
-    throw IoError((directory_ / folder).string() + ": cannot be made a directory");
+    throw IoError(folder_.string() + ": cannot be made a directory");
 }
 
 void FrameFiles::keep(const sph::Frame& frame)
@@ -160,22 +172,11 @@ sph::Frame FrameFiles::read(Index number) const
   return frame;
 }
 
-std::optional<FrameFiles::Kept> FrameFiles::kept(const sph::Frame& first)
+std::optional<FrameFiles::Kept> FrameFiles::kept()
 {
-  if (!resume_ || !fs::exists(path(0)))
+  if (!fs::exists(path(0)))
     return std::nullopt;
-  const Hdf5Reader file(path(0).string());
-  bool same = true;
-  for (const auto& [name, value] : identity(factor_, settings_))
-    same = same && file.attribute(name) == value;
   Kept kept{.last = read(0), .history = {}};
-  const sph::State &a = first.state, &b = kept.last.state;
-  same = same && same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.vx, b.vx) &&
-         same_bits(a.plastic_strain, b.plastic_strain) &&
-         same_bits(first.pore_pressure, kept.last.pore_pressure);
-  if (!same)
-    throw IoError((directory_ / folder).string() +
-                  ": these frames are of another run-out; leave out --resume, or write elsewhere");
   kept.history.push_back(sph::moment_of(kept.last));
   for (Index number = 1; fs::exists(path(number)); ++number)
   {

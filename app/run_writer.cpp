@@ -113,7 +113,8 @@ void write_aside(const fs::path& path, const std::string& text)
 }
 
 void write_run(const fs::path& directory, const coupling::Case& input,
-               const coupling::Analysis& analysis, std::span<const std::string> warnings)
+               const coupling::Analysis& analysis, std::span<const std::string> warnings,
+               const fs::path& frames)
 {
   prepare_directory(directory);
   const std::vector<fs::path> paths = files_of(directory, input);
@@ -137,13 +138,17 @@ void write_run(const fs::path& directory, const coupling::Case& input,
   if (analysis.run_out)
     write_text(aside(directory / "results_run_out.xdmf"),
                run_out_xdmf(*analysis.run_out, analysis.stability->particles.size()));
-  else
-    remove_frames(directory);
   write_text(aside(directory / "result.json"),
              json_text(result_json(input, analysis, warnings)) + "\n");
+  // Whoever kills the run now finds no result.json rather than one beside files of another run.
+  std::error_code error;
+  fs::remove(directory / "result.json", error);
+  if (analysis.run_out)
+    publish_frames(frames, directory);
+  else
+    remove_frames(directory);
   for (const fs::path& path : paths)
   {
-    std::error_code error;
     if (fs::exists(aside(path)))
       fs::rename(aside(path), path, error);
     else

@@ -26,7 +26,9 @@ void write_aside(const std::filesystem::path& path, const std::string& text);
 /// Each is written aside and then renamed; files of an earlier run that this run has no match for
 /// are removed, other files stay as they are.
 /// @param[in] warnings  What was warned of on the way, for result.json.
+/// @param[in] frames    Folder with the frames of its run-out, as FrameFiles left them.
 /// @throws NumericalError if a value is not finite (nothing is replaced then); IoError.
 void write_run(const std::filesystem::path& directory, const coupling::Case& input,
-               const coupling::Analysis& analysis, std::span<const std::string> warnings = {});
+               const coupling::Analysis& analysis, std::span<const std::string> warnings = {},
+               const std::filesystem::path& frames = {});
 } // namespace berm::app

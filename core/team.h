@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,13 @@ public:
   [[nodiscard]] virtual std::vector<std::string> gather(std::string mine)
   {
     return {std::move(mine)};
+  }
+
+  /// Whether it is so on any rank. All must call it, as above.
+  [[nodiscard]] bool any(bool mine)
+  {
+    const std::vector<std::string> all = gather(mine ? "1" : "0");
+    return std::find(all.begin(), all.end(), "1") != all.end();
   }
 };
 } // namespace berm

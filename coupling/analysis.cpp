@@ -8,9 +8,11 @@
 #include "sph/packing_check.h"
 #include "sph/run_out.h"
 #include "sph/trial.h"
+#include "sph/trial_bytes.h"
 #include "sph/updated_lagrangian.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/core.h>
 #include <optional>
 #include <type_traits>
@@ -91,15 +93,32 @@ std::vector<sph::Soil> mechanical(const std::vector<Soil>& soils)
   return result;
 }
 
+/// Letters and digits of a text, '_' for all else.
+std::string file_name(std::string text)
+{
+  for (char& c : text)
+    c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return text;
+}
+
+/// @param[in] name  Of the search among those of the run, for the store.
 sph::FactorOfSafety factor_of_safety(const Body& body, const Scene& scene,
-                                     const sph::SearchSettings& search, Observer& observer)
+                                     const sph::SearchSettings& search, const std::string& name,
+                                     Observer& observer)
 {
   const sph::SoilModel model = body.model();
   const auto trial = [&](double factor, Observer& trial_observer)
   {
-    return sph::run_trial(model, body.settled.state,
-                          cones_in_region(scene.soils, factor, scene.input.sph.cone), factor,
-                          trial_observer);
+    const std::string piece =
+        fmt::format("trial_{}_{:a}_{:a}", file_name(name), body.particles.spacing, factor);
+    if (const std::optional<std::string> kept = scene.work.kept(piece))
+      return sph::from_bytes<sph::Trial>(*kept);
+    sph::Trial done = sph::run_trial(model, body.settled.state,
+                                     cones_in_region(scene.soils, factor, scene.input.sph.cone),
+                                     factor, trial_observer);
+    if (!done.interrupted)
+      scene.work.keep(piece, sph::to_bytes(done));
+    return done;
   };
   return sph::reduce_strength(trial, search, observer, scene.team);
 }
@@ -141,7 +160,8 @@ void search_on_coarser(FoundFactor& found, const Scene& scene, std::vector<Body>
     if (!holds_particles(found.region, body->particles))
       continue;
     body->reduce_in(found.region, scene.soils.size());
-    const sph::FactorOfSafety F = factor_of_safety(*body, scene, search, observer);
+    const sph::FactorOfSafety F =
+        factor_of_safety(*body, scene, search, found.region.name, observer);
     stability.particle_steps += body->particle_steps(steps_of(F));
     const std::optional<Bracket> bracket = closed_bracket(F);
     if (!bracket)
@@ -156,9 +176,10 @@ void search_on_coarser(FoundFactor& found, const Scene& scene, std::vector<Body>
 
 /// The factor with psi = 0 and with psi = phi. Nothing if one of the two stays open.
 std::optional<FlowRuleSpread> flow_rule_spread(const Body& body, const Scene& scene,
-                                               const sph::FactorOfSafety& F, Stability& stability,
+                                               const FoundFactor& found, Stability& stability,
                                                Observer& observer)
 {
+  const sph::FactorOfSafety& F = found.F;
   sph::SearchSettings search = scene.input.search;
   search.guess = F.factor();
   const auto with_dilation = [&](bool associated)
@@ -173,10 +194,12 @@ std::optional<FlowRuleSpread> flow_rule_spread(const Body& body, const Scene& sc
     }
     if (!changed)
       return closed_bracket(F);
-    const Scene dilating{scene.input, scene.section, soils, scene.p_w, scene.team};
-    const sph::FactorOfSafety found = factor_of_safety(body, dilating, search, observer);
-    stability.particle_steps += body.particle_steps(steps_of(found));
-    return closed_bracket(found);
+    const Scene dilating{scene.input, scene.section, soils, scene.p_w, scene.team, scene.work};
+    const sph::FactorOfSafety F_psi =
+        factor_of_safety(body, dilating, search,
+                         found.region.name + (associated ? " psi = phi" : " psi = 0"), observer);
+    stability.particle_steps += body.particle_steps(steps_of(F_psi));
+    return closed_bracket(F_psi);
   };
   const std::optional<Bracket> none = with_dilation(false), associated = with_dilation(true);
   if (!none || !associated)
@@ -205,13 +228,13 @@ FoundFactor find_factor(const Scene& scene, const Region& region, Body& body,
   // Step 2: the factor.
   body.reduce_in(region, scene.soils.size());
   found.F = timed(analysis, observer, "strength reduction" + suffix,
-                  [&] { return factor_of_safety(body, scene, search, observer); });
+                  [&] { return factor_of_safety(body, scene, search, region.name, observer); });
   stability.particle_steps += body.particle_steps(steps_of(found.F));
   if (scene.input.flow_rule_spread && found.F.complete)
   {
     found.flow_rule =
         timed(analysis, observer, "flow rules" + suffix,
-              [&] { return flow_rule_spread(body, scene, found.F, stability, observer); });
+              [&] { return flow_rule_spread(body, scene, found, stability, observer); });
     if (!found.flow_rule && !observer.stop_requested())
       observer.warn("no spread over the flow rules: one of its searches found no factor");
   }
@@ -325,10 +348,12 @@ Analysis analyse(const Case& input, Observer& observer)
 Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames)
 {
   Team alone;
-  return analyse(input, observer, frames, alone);
+  WorkStore none;
+  return analyse(input, observer, frames, none, alone);
 }
 
-Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Team& team)
+Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, WorkStore& work,
+                 Team& team)
 {
   Case input = given;
   Analysis analysis;
@@ -345,11 +370,10 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
     analysis.readings = read_solution(input, section, *analysis.seepage);
   }
 #endif
-  if ((!input.stability && !input.run_out) || observer.stop_requested())
-  {
-    analysis.interrupted = observer.stop_requested();
+  // A stop is asked of all ranks or of none: they wait for each other in what follows.
+  analysis.interrupted = team.any(observer.stop_requested());
+  if ((!input.stability && !input.run_out) || analysis.interrupted)
     return analysis;
-  }
 
   if (input.sph.spacing <= 0)
     input.sph.spacing = sph::default_spacing(section);
@@ -358,7 +382,7 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
 
   stability.free_surface = hydrostatic_surface(input, section);
   const PorePressure p_w = make_pore_pressure(input, analysis, stability.free_surface);
-  const Scene scene{input, section, soils, p_w, team};
+  const Scene scene{input, section, soils, p_w, team, work};
   const std::vector<Region> wanted =
       input.stability ? regions(input.scope, section) : std::vector<Region>{};
 
@@ -385,18 +409,21 @@ Analysis analyse(const Case& given, Observer& observer, RunOutStore& frames, Tea
   {
     if (!observer.stop_requested())
       throw;
+  }
+  analysis.interrupted = team.any(observer.stop_requested());
+  if (analysis.interrupted)
+  {
     analysis.stability.reset(); // soil that does not stand yet says nothing; the seepage stays
-    analysis.interrupted = true;
     return analysis;
   }
   for (const Body& c : coarser)
     stability.particle_steps += c.particle_steps(static_cast<double>(c.settled.steps));
   for (const Region& region : wanted)
-    if (stability.searches.empty() || !observer.stop_requested())
+    if (stability.searches.empty() || !team.any(observer.stop_requested()))
       stability.searches.push_back(find_factor(scene, region, body, coarser,
                                                wanted.size() > 1 ? ", " + region.name : "",
                                                analysis, observer));
-  analysis.interrupted = observer.stop_requested();
+  analysis.interrupted = team.any(observer.stop_requested());
 
   if (input.run_out && !analysis.interrupted && team.rank() == 0)
     analysis.run_out = timed(analysis, observer, "run-out",

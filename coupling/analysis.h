@@ -9,6 +9,7 @@
 #include "coupling/readings.h"
 #include "coupling/region.h"
 #include "coupling/uncertainty.h"
+#include "coupling/work_store.h"
 #include "meshes/section.h"
 #include "seepage/solution.h"
 #include "sph/mechanism.h"
@@ -100,8 +101,9 @@ public:
 /// reduction, mechanism, run-out. A stage that the case does not ask for is not built.
 /// The ranks of a team all do all of it, but share the trials; all get the same analysis, except
 /// that the run-out runs on rank 0 alone.
+/// @param[in] work  Gives what was done of the same case before, and keeps what is done now.
 [[nodiscard]] Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames,
-                               Team& team);
+                               WorkStore& work, Team& team);
 [[nodiscard]] Analysis analyse(const Case& input, Observer& observer, RunOutStore& frames);
-[[nodiscard]] Analysis analyse(const Case& input, Observer& observer); ///< keeps no frames
+[[nodiscard]] Analysis analyse(const Case& input, Observer& observer); ///< keeps nothing
 } // namespace berm::coupling

@@ -8,6 +8,9 @@
 #include "sph/fill.h"
 #include "sph/packing_check.h"
 #include "sph/seeds.h"
+#include "sph/trial_bytes.h"
+
+#include <fmt/core.h>
 
 #include <utility>
 
@@ -66,11 +69,19 @@ Body make_body(const Scene& scene, double spacing)
 
 void settle(Body& body, const Scene& scene, Observer& observer)
 {
+  const std::string name = fmt::format("settled_{:a}", body.particles.spacing);
+  if (const std::optional<std::string> kept = scene.work.kept(name))
+  {
+    body.settled = sph::from_bytes<sph::Settled>(*kept);
+    return;
+  }
   // The paper's soil is elastoplastic from the start; elastic settling also serves below F = 1.
   std::vector<sph::Cone> cones;
   if (body.moving)
     cones = cones_in_region(scene.soils, 1, scene.input.sph.cone);
   body.settled = sph::settle(body.model(), observer, cones);
+  if (scene.team.rank() == 0)
+    scene.work.keep(name, sph::to_bytes(body.settled));
 }
 
 std::vector<Body> coarser_bodies(const Scene& scene, Observer& observer)

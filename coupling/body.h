@@ -6,6 +6,7 @@
 #include "coupling/case.h"
 #include "coupling/pore_pressure.h"
 #include "coupling/region.h"
+#include "coupling/work_store.h"
 #include "meshes/section.h"
 #include "sph/discretisation.h"
 #include "sph/soil_model.h"
@@ -26,6 +27,7 @@ struct Scene
   const std::vector<sph::Soil>& soils;
   const PorePressure& p_w;
   Team& team;
+  WorkStore& work;
 };
 
 /// The soils, and again as held soil: what `strength_index` counts.
@@ -63,6 +65,7 @@ struct Body
 /// @throws InputError if the packing would lie.
 [[nodiscard]] Body make_body(const Scene& scene, double spacing);
 
+/// @brief Settle the soil, or take it settled from the store.
 /// @throws NotConverged as sph::settle.
 void settle(Body& body, const Scene& scene, Observer& observer);
 

@@ -160,6 +160,7 @@ Comparison compare(const Case& input, Observer& observer, Team& team,
 {
   Comparison result;
   RunOutStore no_frames;
+  WorkStore keeps_nothing;
   Case seeping = input;
   seeping.run_out.reset();
 
@@ -168,7 +169,7 @@ Comparison compare(const Case& input, Observer& observer, Team& team,
   first.name = "seepage";
   first.title = "steady seepage";
   first.input = seeping;
-  first.analysis = analyse(seeping, observer, no_frames, team);
+  first.analysis = analyse(seeping, observer, no_frames, keeps_nothing, team);
   done(first);
   if (!first.analysis.stability || first.analysis.interrupted)
     return result;
@@ -180,10 +181,10 @@ Comparison compare(const Case& input, Observer& observer, Team& team,
   // Step 2: the same soil with other waters.
   for (ComparedWater& water : other_waters(seeping, first.analysis))
   {
-    if (observer.stop_requested())
+    if (team.any(observer.stop_requested()))
       break;
     observer.note(water.title);
-    water.analysis = analyse(water.input, observer, no_frames, team);
+    water.analysis = analyse(water.input, observer, no_frames, keeps_nothing, team);
     if (water.analysis.stability)
     {
       water.over_soil = pressure_difference(p_soil, water.analysis.stability->pore_pressure);

@@ -191,7 +191,7 @@ RunOut run_out(const MovingBody& body, const std::vector<Cone>& cones, const Fra
 
   RunOut result;
   Frame frame = first;
-  if (std::optional<FrameStore::Kept> kept = frames.kept(first))
+  if (std::optional<FrameStore::Kept> kept = frames.kept())
   {
     frame = std::move(kept->last);
     result.history = std::move(kept->history);

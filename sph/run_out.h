@@ -63,7 +63,7 @@ public:
     std::vector<Moment> history; ///< of all frames, the last included
   };
   /// Called once: nothing, or what to go on from.
-  virtual std::optional<Kept> kept(const Frame& /*first*/) { return std::nullopt; }
+  virtual std::optional<Kept> kept() { return std::nullopt; }
   /// Called with every new frame, the first included.
   virtual void keep(const Frame& /*frame*/) {}
 };

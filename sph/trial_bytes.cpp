@@ -5,9 +5,25 @@ namespace berm::sph
 {
 namespace
 {
-/// Every member of a trial once, in one order for both directions.
+// Every member once, in one order for both directions.
+
+template <class StateOrConst, class Visit>
+void visit_state(StateOrConst& state, Visit&& visit)
+{
+  visit(state.ux);
+  visit(state.uy);
+  visit(state.vx);
+  visit(state.vy);
+  visit(state.stress);
+  visit(state.plastic_strain);
+  visit(state.x);
+  visit(state.y);
+  visit(state.density);
+}
+
 template <class TrialOrConst, class Visit>
-void visit_members(TrialOrConst& trial, Visit&& visit)
+void visit_members(TrialOrConst& trial,
+                   Visit&& visit) requires std::is_same_v<std::remove_const_t<TrialOrConst>, Trial>
 {
   visit(trial.factor);
   visit(trial.outcome);
@@ -19,15 +35,16 @@ void visit_members(TrialOrConst& trial, Visit&& visit)
   visit(trial.history);
   visit(trial.interrupted);
   visit(trial.seconds);
-  visit(trial.state.ux);
-  visit(trial.state.uy);
-  visit(trial.state.vx);
-  visit(trial.state.vy);
-  visit(trial.state.stress);
-  visit(trial.state.plastic_strain);
-  visit(trial.state.x);
-  visit(trial.state.y);
-  visit(trial.state.density);
+  visit_state(trial.state, visit);
+}
+
+template <class SettledOrConst, class Visit>
+void visit_members(SettledOrConst& settled, Visit&& visit) requires
+    std::is_same_v<std::remove_const_t<SettledOrConst>, Settled>
+{
+  visit(settled.settlement);
+  visit(settled.steps);
+  visit_state(settled.state, visit);
 }
 } // namespace
 
@@ -39,5 +56,15 @@ void write(ByteWriter& bytes, const Trial& trial)
 void read(ByteReader& bytes, Trial& trial)
 {
   visit_members(trial, [&](auto& member) { bytes.get(member); });
+}
+
+void write(ByteWriter& bytes, const Settled& settled)
+{
+  visit_members(settled, [&](const auto& member) { bytes.put(member); });
+}
+
+void read(ByteReader& bytes, Settled& settled)
+{
+  visit_members(settled, [&](auto& member) { bytes.get(member); });
 }
 } // namespace berm::sph

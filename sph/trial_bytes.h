@@ -2,13 +2,14 @@
 #pragma once
 
 #include "sph/strength_reduction.h"
+#include "sph/trial.h"
 
 #include <cstring>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-/// Trials as bytes, to send them between processes of one program on one kind of machine.
+/// Trials and settled soil as bytes, to send or keep them: for one program on one kind of machine.
 namespace berm::sph
 {
 class ByteWriter
@@ -66,4 +67,24 @@ private:
 
 void write(ByteWriter& bytes, const Trial& trial);
 void read(ByteReader& bytes, Trial& trial);
+void write(ByteWriter& bytes, const Settled& settled);
+void read(ByteReader& bytes, Settled& settled);
+
+template <class Work>
+[[nodiscard]] std::string to_bytes(const Work& work)
+{
+  ByteWriter bytes;
+  write(bytes, work);
+  return bytes.bytes();
+}
+
+/// Pre: `to_bytes` of the same Work made the text.
+template <class Work>
+[[nodiscard]] Work from_bytes(const std::string& text)
+{
+  ByteReader bytes(text);
+  Work work;
+  read(bytes, work);
+  return work;
+}
 } // namespace berm::sph

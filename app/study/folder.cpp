@@ -6,34 +6,27 @@
 #include "app/version.h"
 #include "core/error.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cctype>
-#include <cerrno>
 
 namespace berm::app
 {
 namespace fs = std::filesystem;
 
-StudyFolder::StudyFolder(const fs::path& directory) : directory_(directory)
+namespace
 {
-  prepare_directory(directory_);
-  handle_ = open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-  {
-    close(handle_);
-    throw IoError(directory_.string() + ": another study runs in this directory");
-  }
+const fs::path& prepared(const fs::path& directory)
+{
+  prepare_directory(directory);
+  return directory;
 }
+} // namespace
 
-StudyFolder::~StudyFolder()
+StudyFolder::StudyFolder(const fs::path& directory)
+    : directory_(directory), lock_(prepared(directory))
 {
-  if (handle_ >= 0)
-    close(handle_);
 }
 
 void StudyFolder::clear() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/directory_lock.h"
 #include "app/study/files.h"
 
 #include <filesystem>
@@ -13,11 +14,8 @@ class StudyFolder
 {
 public:
   /// @brief Make the directory if it is not there, and lock it.
-  /// @throws IoError if that fails, or if another study runs there.
+  /// @throws IoError if that fails, or if another berm works there.
   explicit StudyFolder(const std::filesystem::path& directory);
-  StudyFolder(const StudyFolder&) = delete;
-  StudyFolder& operator=(const StudyFolder&) = delete;
-  ~StudyFolder();
 
   /// @brief Remove the members and tables of the study that is there. Other files stay.
   void clear() const;
@@ -29,6 +27,6 @@ public:
 
 private:
   std::filesystem::path directory_;
-  int handle_ = -1;
+  DirectoryLock lock_;
 };
 } // namespace berm::app

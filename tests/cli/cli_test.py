@@ -29,24 +29,6 @@ class Cli(BermTest):
         self.assertEqual(len(times), len(frames))
         self.assertEqual(times, sorted(times))
 
-    def test_a_stopped_run_out_goes_on_to_the_same_bits(self):
-        self.run_out("whole", *NO_FIGURES)
-        self.run_out("parts", *NO_FIGURES)
-        frames = sorted((self.dir / "parts" / "run_out").iterdir())
-        for frame in frames[3:]:
-            frame.unlink()
-        frames[3].with_suffix(".h5.part").write_bytes(b"half a frame")
-        self.run_out("parts", "--resume", *NO_FIGURES)
-        for frame in sorted((self.dir / "whole" / "run_out").iterdir()):
-            twin = self.dir / "parts" / "run_out" / frame.name
-            self.assertEqual(frame.read_bytes(), twin.read_bytes(), frame.name)
-        self.assertEqual(without_times(self.result("whole")), without_times(self.result("parts")))
-
-    def test_frames_of_another_run_out_are_refused(self):
-        self.run_out("out", *NO_FIGURES)
-        _, err = self.run_out("out", "--resume", "--set", "runout.factor=3.5", *NO_FIGURES, code=4)
-        self.assertIn("another run-out", err)
-
     def test_soil_that_still_moves_is_no_answer(self):
         out, _ = self.run_out("out", "--set", "runout.duration_s=1", *NO_FIGURES, code=3)
         self.assertIn("STILL MOVING", out)

@@ -197,7 +197,7 @@ class Study(BermTest):
         study = self.start_study()
         self.wait_for((self.dir / "out" / "study.json").exists)
         _, err = self.study("--vary", "soil.fill.cohesion_kPa=5", "--out", "out", code=4)
-        self.assertIn("another study runs", err)
+        self.assertIn("another berm works", err)
         study.send_signal(signal.SIGTERM)
         study.communicate(timeout=30)
 

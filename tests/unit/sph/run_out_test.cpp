@@ -44,7 +44,7 @@ struct Memory : FrameStore
   std::vector<Frame> frames;
   std::optional<Kept> given;
 
-  std::optional<Kept> kept(const Frame& /*first*/) override { return given; }
+  std::optional<Kept> kept() override { return given; }
   void keep(const Frame& frame) override { frames.push_back(frame); }
 };
 
