@@ -289,7 +289,9 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   CLI::App* completion =
       app.add_subcommand("completion", "Print a script that completes this command line");
   std::string shell;
-  completion->add_option("SHELL", shell, "The shell")->required()->check(CLI::IsMember({"bash"}));
+  completion->add_option("SHELL", shell, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
   CLI::App* man =
       app.add_subcommand("man", "Print the manual page; read it by  berm man | man -l -");
   CLI::App* print_version =
@@ -324,7 +326,7 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   else if (reference->parsed())
     std::cout << (format == "md" ? case_reference() : case_json_schema());
   else if (completion->parsed())
-    std::cout << bash_completion(app);
+    std::cout << (shell == "zsh" ? zsh_completion(app) : bash_completion(app));
   else if (man->parsed())
     std::cout << man_page(app);
   else if (print_version->parsed())

@@ -9,18 +9,32 @@
 #include <array>
 #include <cerrno>
 #include <string_view>
+#include <system_error>
 
 namespace berm::app
 {
 namespace
 {
-/// Runs the script with the directory. Empty, or why there are no figures.
-std::string draw(std::string script, const std::filesystem::path& directory)
+namespace fs = std::filesystem;
+
+/// Of an installed program, beside it in share; of one that was built, where its source is.
+fs::path scripts()
 {
-  std::string python = BERM_PYTHON, argument = directory.string();
+  std::error_code none; // no /proc: not installed
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "berm" / "plots"; // CMakeLists.txt
+  return fs::is_directory(installed, none) ? installed : fs::path(BERM_FIGURES);
+}
+
+/// Runs the script with the directory. Empty, or why there are no figures.
+std::string draw(const char* name, const fs::path& directory)
+{
+  std::string python = BERM_PYTHON, script = (scripts() / name).string(),
+              argument = directory.string();
   if (python.empty())
     return "berm was built without a Python that has matplotlib and h5py";
-  if (!std::filesystem::exists(script))
+  if (!fs::exists(script))
     return script + " is not there";
 
   posix_spawn_file_actions_t actions;
@@ -43,18 +57,18 @@ std::string draw(std::string script, const std::filesystem::path& directory)
 }
 } // namespace
 
-std::string draw_figures(const std::filesystem::path& directory)
+std::string draw_figures(const fs::path& directory)
 {
-  return draw(BERM_FIGURES, directory);
+  return draw("figures.py", directory);
 }
 
-std::string draw_comparison(const std::filesystem::path& directory)
+std::string draw_comparison(const fs::path& directory)
 {
-  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("comparison.py"), directory);
+  return draw("comparison.py", directory);
 }
 
-std::string draw_study(const std::filesystem::path& directory)
+std::string draw_study(const fs::path& directory)
 {
-  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("study.py"), directory);
+  return draw("study.py", directory);
 }
 } // namespace berm::app
