@@ -105,7 +105,8 @@ int run_case(const RunOptions& options, KeyPlaces& places)
   if (input.output.figures && !analysis.interrupted)
   {
     console.stage("figures");
-    if (const std::string problem = draw_figures(directory); !problem.empty())
+    if (const std::string problem = draw_figures(directory, input.output.figure_formats);
+        !problem.empty())
       console.warn("no figures: " + problem);
   }
   add_report(directory, input, console);
@@ -138,7 +139,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
               std::span(console.warnings()).subspan(told));
     told = console.warnings().size();
     if (input.output.figures && !water.analysis.interrupted)
-      draw(draw_figures(directory / water.name));
+      draw(draw_figures(directory / water.name, input.output.figure_formats));
   };
   const coupling::Comparison comparison = coupling::compare(input, console, team, done);
   const bool all = std::ranges::all_of(comparison.waters, [](const coupling::ComparedWater& water)
@@ -148,7 +149,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
     return code;
   write_comparison(directory, comparison);
   if (input.output.figures)
-    draw(draw_comparison(directory));
+    draw(draw_comparison(directory, input.output.figure_formats));
   add_report(directory, input, console);
   if (!options.quiet)
     std::cout << comparison_report(comparison) << "\nResults in " << directory.string() << "\n";

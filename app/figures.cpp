@@ -6,10 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace berm::app
 {
@@ -28,10 +28,9 @@ fs::path scripts()
 }
 
 /// Runs the script with the directory. Empty, or why there are no figures.
-std::string draw(const char* name, const fs::path& directory)
+std::string draw(const char* name, const fs::path& directory, std::span<const std::string> formats)
 {
-  std::string python = BERM_PYTHON, script = (scripts() / name).string(),
-              argument = directory.string();
+  std::string python = BERM_PYTHON, script = (scripts() / name).string();
   if (python.empty())
     return "berm was built without a Python that has matplotlib and h5py";
   if (!fs::exists(script))
@@ -40,7 +39,12 @@ std::string draw(const char* name, const fs::path& directory)
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  const std::array<char*, 4> arguments = {python.data(), script.data(), argument.data(), nullptr};
+  std::vector<std::string> texts{python, script, directory.string(), "--formats"};
+  texts.insert(texts.end(), formats.begin(), formats.end());
+  std::vector<char*> arguments;
+  for (std::string& text : texts)
+    arguments.push_back(text.data());
+  arguments.push_back(nullptr);
   pid_t child = 0;
   const int error =
       posix_spawnp(&child, python.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -53,22 +57,22 @@ std::string draw(const char* name, const fs::path& directory)
     if (errno != EINTR)
       return python + " was lost";
   const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  return good ? "" : python + " " + script + " " + argument + " failed";
+  return good ? "" : python + " " + script + " " + directory.string() + " failed";
 }
 } // namespace
 
-std::string draw_figures(const fs::path& directory)
+std::string draw_figures(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw("figures.py", directory);
+  return draw("figures.py", directory, formats);
 }
 
-std::string draw_comparison(const fs::path& directory)
+std::string draw_comparison(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw("comparison.py", directory);
+  return draw("comparison.py", directory, formats);
 }
 
-std::string draw_study(const fs::path& directory)
+std::string draw_study(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw("study.py", directory);
+  return draw("study.py", directory, formats);
 }
 } // namespace berm::app

@@ -19,25 +19,14 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::array our_files = {"case.toml",
-                                  "results.h5",
-                                  "results_particles.xdmf",
-                                  "results_mesh.xdmf",
-                                  "results_run_out.xdmf",
-                                  "seepage.png",
-                                  "slip.png",
-                                  "trials.png",
-                                  "curves.png",
-                                  "run_out.png",
-                                  "run_out_energy.png",
-                                  "run_out.gif",
-                                  "lines.png",
-                                  "exit_gradient.png",
-                                  "phreatic_lines.csv",
-                                  "exit_gradients.csv",
-                                  "mesh.msh",
-                                  "report.html",
-                                  "result.json"};
+constexpr std::array our_files = {
+    "case.toml",          "results.h5",           "results_particles.xdmf",
+    "results_mesh.xdmf",  "results_run_out.xdmf", "run_out.gif",
+    "phreatic_lines.csv", "exit_gradients.csv",   "mesh.msh",
+    "report.html",        "result.json"};
+
+constexpr std::array our_figures = {"seepage", "lines",  "exit_gradient", "slip",
+                                    "trials",  "curves", "run_out",       "run_out_energy"};
 
 fs::path aside(const fs::path& path)
 {
@@ -64,6 +53,9 @@ std::vector<fs::path> files_of(const fs::path& directory, const coupling::Case& 
   for (const auto& entry : fs::directory_iterator(directory / lines_folder, none))
     if (entry.path().extension() == ".csv" && std::ranges::find(paths, entry.path()) == paths.end())
       paths.push_back(entry.path());
+  for (const std::string name : our_figures)
+    for (const char* ending : {".png", ".svg"})
+      paths.push_back(directory / (name + ending));
   for (const char* name : our_files)
     paths.push_back(directory / name);
   return paths;

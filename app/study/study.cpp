@@ -195,6 +195,7 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
     return exit_bad_input;
   }
   study.title = checked.title;
+  study.figure_formats = checked.figure_formats;
   if (options.check)
   {
     std::cout << study_report(study) << "\nNo mistakes; nothing was run.\n";
@@ -222,7 +223,7 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
   if (study.figures && !console.stop_requested())
   {
     console.stage("figures");
-    if (const std::string problem = draw_study(directory); !problem.empty())
+    if (const std::string problem = draw_study(directory, study.figure_formats); !problem.empty())
       console.warn("no figures: " + problem);
   }
   if (study.report && report_built_in())

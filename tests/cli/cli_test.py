@@ -565,6 +565,19 @@ class Cli(BermTest):
             picture = (self.dir / "out" / f"{name}.png").read_bytes()
             self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
             self.assertGreater(len(picture), 10000)
+        self.assertFalse(list((self.dir / "out").glob("*.svg")))  # unless asked for
+        drawing = ["--set", 'output.figure_formats=["svg"]']
+        self.berm("run", case, *COARSE, *drawing, "--out", "out")
+        self.assertFalse(list((self.dir / "out").glob("*.png")))  # of the run before
+        script = SOURCE / "docs" / "plots" / "figures.py"
+        subprocess.run(["/usr/bin/python3", "-B", script, "out", "--out", ".", "--formats", "svg"],
+                       cwd=self.dir, check=True)
+        for name in [*water, "slip", "trials", "curves"]:
+            picture = (self.dir / "out" / f"{name}.svg").read_bytes()
+            self.assertTrue(xml.etree.ElementTree.fromstring(picture).tag.endswith("}svg"))
+            self.assertLess(len(picture), 300_000)
+            self.assertEqual(picture, (self.dir / f"{name}.svg").read_bytes())  # no dates
+        self.assertIn(b"<image", (self.dir / "out" / "slip.svg").read_bytes())  # of the particles
 
 
 if __name__ == "__main__":
