@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_writer.h"
 
+#include "app/case_mesh_file.h"
 #include "app/field_files.h"
 #include "app/frame_files.h"
 #include "app/msh_file.h"
 #include "app/reading_files.h"
 #include "app/result_json.h"
+#include "app/text_file.h"
 #include "core/error.h"
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace berm::app
@@ -61,6 +64,15 @@ std::vector<fs::path> files_of(const fs::path& directory, const coupling::Case& 
   return paths;
 }
 
+/// The file that the copy of the case takes its section from, so that it runs where it lies.
+/// Nothing where it is not beside the case: --set named another.
+std::vector<TextFile> mesh_file_of(const coupling::Case& input)
+{
+  const auto path = relative_mesh_file(input.text);
+  const auto text = path ? text_of(fs::path(input.path).parent_path() / *path) : std::nullopt;
+  return text ? std::vector<TextFile>{{path->string(), *text}} : std::vector<TextFile>{};
+}
+
 /// Removes what was written aside and not renamed, also when an exception passes.
 struct Leftovers
 {
@@ -108,7 +120,11 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                const coupling::Analysis& analysis, std::span<const std::string> warnings)
 {
   prepare_directory(directory);
-  const std::vector<fs::path> paths = files_of(directory, input);
+  std::vector<TextFile> texts = mesh_file_of(input);
+  std::vector<fs::path> paths = files_of(directory, input);
+  for (const TextFile& file : texts)
+    if (std::ranges::find(paths, directory / file.path) == paths.end())
+      paths.insert(paths.begin(), directory / file.path);
   const Leftovers leftovers{directory, paths}; // whatever throws, no earlier run is replaced
   write_fields(aside(directory / "results.h5").string(), input, analysis);
   write_text(aside(directory / "case.toml"), input.text);
@@ -120,7 +136,8 @@ void write_run(const fs::path& directory, const coupling::Case& input,
   if (analysis.seepage && input.output.msh)
     write_text(aside(directory / "mesh.msh"),
                msh_text(input, analysis.section, analysis.seepage->mesh));
-  for (const TextFile& file : reading_files(input, analysis))
+  std::ranges::move(reading_files(input, analysis), std::back_inserter(texts));
+  for (const TextFile& file : texts)
   {
     std::error_code error; // told by write_text
     fs::create_directories((directory / file.path).parent_path(), error);

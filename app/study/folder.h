@@ -26,6 +26,9 @@ public:
   [[nodiscard]] bool holds_of_another_build(const Study& study) const;
   /// @brief Keep a copy of the reference points, or none if `path` is empty.
   void take_reference(const std::string& path) const;
+  /// @brief Keep a copy of the mesh file that the case names, where the copy of the case looks for
+  /// it.
+  void take_mesh_file(const Study& study) const;
 
 private:
   std::filesystem::path directory_;

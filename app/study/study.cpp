@@ -2,6 +2,7 @@
 #include "app/study/study.h"
 
 #include "app/case_file.h"
+#include "app/case_mesh_file.h"
 #include "app/cli.h"
 #include "app/console.h"
 #include "app/figures.h"
@@ -47,9 +48,8 @@ std::string own_value(const TomlValue& document, const std::string& key)
 /// Members read a copy of the case elsewhere: a mesh file relative to the case becomes absolute.
 std::optional<std::string> absolute_mesh_file(const TomlValue& document, const fs::path& case_path)
 {
-  const TomlValue* value = find_value(document, "section.mesh_file");
-  const auto* file = value == nullptr ? nullptr : std::get_if<std::string>(&value->data);
-  if (file == nullptr || fs::path(*file).is_absolute())
+  const auto file = relative_mesh_file(document);
+  if (!file)
     return std::nullopt;
   const fs::path full = fs::absolute(case_path).parent_path() / *file;
   // A string of JSON is one of TOML.
@@ -207,6 +207,7 @@ int run_study(const StudyOptions& options, KeyPlaces& places)
   if (options.fresh || folder.holds_of_another_build(study))
     folder.clear();
   folder.take_reference(options.reference);
+  folder.take_mesh_file(study);
   places.run_began = true;
   catch_stop_signals();
   for (std::size_t m = 0; m < study.members.size(); ++m)

@@ -307,6 +307,28 @@ class Cli(BermTest):
         self.assertAlmostEqual(meshed["seepage"]["discharge_m2_s"], q, delta=1e-12)
 
     @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
+    def test_the_case_beside_results_runs_with_the_mesh_file_beside_it(self):
+        coarse = ["--set", "seepage.tolerance=1e-2", *NO_FIGURES]
+        drawing = (SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8")
+        case = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
+        (self.dir / "mine" / "meshes").mkdir(parents=True)
+        self.write(drawing, "mine/meshes/dam.geo")
+        self.write(case.replace("dam.geo", "meshes/dam.geo"), "mine/case.toml")
+        self.berm("seepage", "mine/case.toml", *coarse, "--out", "first")
+        self.berm("study", "mine/case.toml", "--seepage", "--vary", "water.left_level_m=16,18",
+                  *coarse, "--out", "study")
+        shutil.rmtree(self.dir / "mine")
+        self.berm("seepage", "first/case.toml", *coarse, "--out", "again")
+        self.assertEqual(without_times(self.result("first")["seepage"]),
+                         without_times(self.result("again")["seepage"]))
+        self.assertEqual((self.dir / "again" / "meshes" / "dam.geo").read_text(), drawing)
+        for member in (self.dir / "study" / "members").iterdir():
+            self.berm("check", member / "case.toml")
+        self.berm("seepage", "again/case.toml", *coarse, "--out", "again")  # onto itself
+        self.berm("check", "again/case.toml")
+        self.assertFalse(list((self.dir / "again").rglob("*.part")))
+
+    @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
     def test_mistakes_of_a_mesh_file_are_told_with_those_of_the_case(self):
         text = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
         self.write((SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8"),
