@@ -235,7 +235,9 @@ void add_study_options(CLI::App& command, StudyOptions& options)
           "that is there goes on")
       ->type_name("DIR");
   command.add_flag("--fresh", options.fresh, "Remove the study that is there, and begin anew");
-  command.add_option("--jobs", options.jobs, "Members at a time, a thread each [all processors]")
+  command
+      .add_option("--jobs", options.jobs,
+                  "Members at a time, a thread each [all processors; one on each rank of mpirun]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command

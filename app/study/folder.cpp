@@ -20,8 +20,10 @@ namespace berm::app
 {
 namespace fs = std::filesystem;
 
-StudyFolder::StudyFolder(const fs::path& directory) : directory_(directory)
+StudyFolder::StudyFolder(const fs::path& directory, bool leads) : directory_(directory)
 {
+  if (!leads)
+    return;
   prepare_directory(directory_);
   handle_ = open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)

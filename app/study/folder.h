@@ -8,13 +8,14 @@
 
 namespace berm::app
 {
-/// The directory of a study, which no other process works in meanwhile.
+/// The directory of a study, which no other study works in meanwhile.
 class StudyFolder
 {
 public:
   /// @brief Make the directory if it is not there, and lock it.
+  /// @param[in] leads  False for the other ranks of a team: theirs is the directory of the first.
   /// @throws IoError if that fails, or if another study runs there.
-  explicit StudyFolder(const std::filesystem::path& directory);
+  StudyFolder(const std::filesystem::path& directory, bool leads);
   StudyFolder(const StudyFolder&) = delete;
   StudyFolder& operator=(const StudyFolder&) = delete;
   ~StudyFolder();
