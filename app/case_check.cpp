@@ -95,6 +95,23 @@ std::string numbers_problem(const TomlValue& value, const Key& key, std::vector<
   return {};
 }
 
+std::string words_problem(const TomlValue& value, const Key& key, std::vector<std::string>& words)
+{
+  const auto* array = value.array();
+  if (array == nullptr || array->empty())
+    return "not a list of texts";
+  for (const TomlValue& element : *array)
+  {
+    const auto* word = std::get_if<std::string>(&element.data);
+    if (word == nullptr || std::ranges::find(key.choices, *word) == key.choices.end())
+      return fmt::format("{} is not one of the choices", toml_text(element));
+    if (std::ranges::find(words, *word) != words.end())
+      return fmt::format("\"{}\" comes twice", *word);
+    words.push_back(*word);
+  }
+  return {};
+}
+
 std::string text_problem(const TomlValue& value)
 {
   const auto* text = std::get_if<std::string>(&value.data);
@@ -119,6 +136,7 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
   Polyline points;
   std::vector<Polyline> polygons;
   std::vector<double> numbers;
+  std::vector<std::string> words;
   std::string problem;
   switch (key.type)
   {
@@ -134,6 +152,9 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
         std::find(key.choices.begin(), key.choices.end(), *text) != key.choices.end();
     return keep(known ? "" : "not one of the choices", *text);
   }
+  case ValueType::choice_list:
+    problem = words_problem(value, key, words);
+    return keep(problem, words);
   case ValueType::number:
     problem = number_problem(value, key.range, number);
     return keep(problem, number);

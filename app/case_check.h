@@ -19,8 +19,8 @@ namespace berm::app
 class CheckedValues
 {
 public:
-  using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, Polyline,
-                             std::vector<Polyline>>;
+  using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>,
+                             std::vector<double>, Polyline, std::vector<Polyline>>;
 
   void set(const std::string& path, Value value) { values_[path] = std::move(value); }
   /// @brief The value, if it is there, right, and of this type.

@@ -254,6 +254,8 @@ private:
     case_.output.probes = values_.get<Polyline>("output.probes_m").value_or(Polyline{});
     case_.output.lines = assemble_lines(values_, mistakes_);
     case_.output.figures = values_.get<bool>("output.figures").value_or(true);
+    if (const auto formats = values_.get<std::vector<std::string>>("output.figure_formats"))
+      case_.output.figure_formats = *formats;
     case_.output.msh = values_.get<bool>("output.msh").value_or(false);
     case_.output.report = values_.get<bool>("output.report").value_or(true);
   }

@@ -40,6 +40,12 @@ Json value_schema(const Key& key)
     return {{"type", "string"}, {"maxLength", 200}};
   case choice:
     return {{"enum", key.choices}};
+  case choice_list:
+  {
+    Json json = list_schema({{"enum", key.choices}}, 1);
+    json["uniqueItems"] = true;
+    return json;
+  }
   case number:
     return one;
   case integer:

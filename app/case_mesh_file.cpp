@@ -88,4 +88,19 @@ std::map<std::string, Polyline> read_section(const std::string& file,
   }
   return curves;
 }
+
+std::optional<std::filesystem::path> relative_mesh_file(const TomlValue& document)
+{
+  const TomlValue* value = find_value(document, key);
+  const auto* file = value == nullptr ? nullptr : std::get_if<std::string>(&value->data);
+  if (file == nullptr || std::filesystem::path(*file).is_absolute())
+    return std::nullopt;
+  return *file;
+}
+
+std::optional<std::filesystem::path> relative_mesh_file(const std::string& case_text)
+{
+  KeyPlaces places;
+  return relative_mesh_file(parse_toml(case_text, "", places));
+}
 } // namespace berm::app

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "app/case_check.h"
+#include "app/toml_document.h"
 #include "core/error.h"
 #include "meshes/section.h"
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,4 +24,10 @@ std::map<std::string, Polyline> read_section(const std::string& file,
                                              const std::vector<std::string>& soils,
                                              meshes::SectionInput& section,
                                              std::vector<Mistake>& mistakes);
+
+/// @brief section.mesh_file of a case, if it has one whose path is relative.
+[[nodiscard]] std::optional<std::filesystem::path> relative_mesh_file(const TomlValue& document);
+
+/// @brief The same, of a case file's text without mistakes.
+[[nodiscard]] std::optional<std::filesystem::path> relative_mesh_file(const std::string& case_text);
 } // namespace berm::app

@@ -427,6 +427,13 @@ const std::vector<Key> table = {
      .otherwise = "true",
      .sentence =
          "Whether to draw figures beside the results, where Python with matplotlib is there."},
+    {.path = "output.figure_formats",
+     .type = choice_list,
+     .choices = {"png", "svg"},
+     .presence = defaulted,
+     .otherwise = "[\"png\"]",
+     .sentence = "Kinds of files to draw each figure to. SVG, for print and for drawing programs, "
+                 "takes half as long again."},
     {.path = "output.msh",
      .type = boolean,
      .presence = defaulted,
@@ -486,11 +493,12 @@ std::string allowed_text(const Key& key)
   case text:
     return "a line of text in quotes, at most 200 characters";
   case choice:
+  case choice_list:
   {
     std::string names;
     for (const std::string_view c : key.choices)
       names += fmt::format("{}\"{}\"", names.empty() ? "" : " | ", c);
-    return names;
+    return key.type == choice ? names : "a list of " + names + ", each once";
   }
   case number:
     return range_text(key.range, name);

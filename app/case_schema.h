@@ -14,6 +14,7 @@ enum class ValueType
 {
   text,              ///< a short line
   choice,            ///< one of Key::choices
+  choice_list,       ///< some of them, each once, at least one
   number,            ///< finite, within Key::range
   integer,           ///< whole, within Key::range
   boolean,           ///< true or false

@@ -140,7 +140,8 @@ int run_case(const RunOptions& given, KeyPlaces& places)
   if (input.output.figures && !analysis.interrupted)
   {
     console.stage("figures");
-    if (const std::string problem = draw_figures(directory); !problem.empty())
+    if (const std::string problem = draw_figures(directory, input.output.figure_formats);
+        !problem.empty())
       console.warn("no figures: " + problem);
   }
   add_report(directory, input, console);
@@ -174,7 +175,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
               std::span(console.warnings()).subspan(told));
     told = console.warnings().size();
     if (input.output.figures && !water.analysis.interrupted)
-      draw(draw_figures(directory / water.name));
+      draw(draw_figures(directory / water.name, input.output.figure_formats));
   };
   const coupling::Comparison comparison = coupling::compare(input, console, team, done);
   const bool all = std::ranges::all_of(comparison.waters, [](const coupling::ComparedWater& water)
@@ -184,7 +185,7 @@ int compare_case(RunOptions options, KeyPlaces& places)
     return code;
   write_comparison(directory, comparison);
   if (input.output.figures)
-    draw(draw_comparison(directory));
+    draw(draw_comparison(directory, input.output.figure_formats));
   add_report(directory, input, console);
   if (!options.quiet)
     std::cout << comparison_report(comparison) << "\nResults in " << directory.string() << "\n";
@@ -270,7 +271,9 @@ void add_study_options(CLI::App& command, StudyOptions& options)
           "that is there goes on")
       ->type_name("DIR");
   command.add_flag("--fresh", options.fresh, "Remove the study that is there, and begin anew");
-  command.add_option("--jobs", options.jobs, "Members at a time, a thread each [all processors]")
+  command
+      .add_option("--jobs", options.jobs,
+                  "Members at a time, a thread each [all processors; one on each rank of mpirun]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command
@@ -326,7 +329,9 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   CLI::App* completion =
       app.add_subcommand("completion", "Print a script that completes this command line");
   std::string shell;
-  completion->add_option("SHELL", shell, "The shell")->required()->check(CLI::IsMember({"bash"}));
+  completion->add_option("SHELL", shell, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
   CLI::App* man =
       app.add_subcommand("man", "Print the manual page; read it by  berm man | man -l -");
   CLI::App* print_version =
@@ -361,7 +366,7 @@ int run_command_line(int argc, const char* const* argv, KeyPlaces& places)
   else if (reference->parsed())
     std::cout << (format == "md" ? case_reference() : case_json_schema());
   else if (completion->parsed())
-    std::cout << bash_completion(app);
+    std::cout << (shell == "zsh" ? zsh_completion(app) : bash_completion(app));
   else if (man->parsed())
     std::cout << man_page(app);
   else if (print_version->parsed())

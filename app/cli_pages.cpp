@@ -61,6 +61,40 @@ std::string plain_keys()
   return fmt::format("{}", fmt::join(list, " "));
 }
 
+/// Text between single quotes of zsh, in which `marks` mean something to its completion.
+std::string zsh_text(std::string_view text, std::string_view marks)
+{
+  std::string out;
+  for (const char c : text)
+    if (c == '\'')
+      out += "'\\''";
+    else
+      out += (marks.find(c) == std::string_view::npos ? "" : "\\") + std::string(1, c);
+  return out;
+}
+
+/// An option or positional as zsh's _arguments takes it: '*--set[Replace
+/// ...]:KEY=VALUE:_berm_keys'.
+std::string zsh_argument(const CLI::Option& option)
+{
+  const std::string name = name_of(option), words = choices(option), value = value_of(option);
+  const std::string repeats = option.get_items_expected_max() > 1 ? "*" : "";
+  std::string text = name.empty()
+                         ? ":" + option.get_name()
+                         : repeats + name + "[" + zsh_text(option.get_description(), "\\[]:") + "]";
+  if (!name.empty() && value.empty())
+    return "'" + text + "'"; // a flag
+  if (!name.empty())
+    text += ":" + zsh_text(value, "\\:");
+  if (!words.empty())
+    text += ":(" + words + ")";
+  else if (value.starts_with("KEY="))
+    text += ":_berm_keys";
+  else
+    text += value == "N" ? ": " : ":_files";
+  return "'" + text + "'";
+}
+
 /// Text for man: a backslash and a dot that begins a line mean something there, and so does "-".
 std::string roff(std::string_view text)
 {
@@ -130,6 +164,46 @@ _berm() {{
 complete -F _berm berm
 )",
                      fmt::join(names, " "), values, plain_keys(), options);
+}
+
+std::string zsh_completion(const CLI::App& app)
+{
+  std::string names, arguments;
+  for (const CLI::App* command : commands(app))
+  {
+    fmt::format_to(std::back_inserter(names), "    '{}:{}'\n", command->get_name(),
+                   zsh_text(command->get_description(), "\\:"));
+    std::vector<std::string> list;
+    for (const CLI::Option* option : command->get_options())
+      list.push_back(zsh_argument(*option));
+    fmt::format_to(std::back_inserter(arguments), "    {})\n      _arguments {} ;;\n",
+                   command->get_name(), fmt::join(list, " \\\n        "));
+  }
+  return fmt::format(R"(#compdef berm
+# Completion of berm for zsh, written by `berm completion zsh`; a file _berm in a folder of $fpath.
+_berm_keys() {{
+  compadd -S '' -- {}
+}}
+_berm() {{
+  local command=$words[2]
+  local -a commands=(
+{}  )
+  if (( CURRENT == 2 )); then
+    _describe command commands
+    return
+  fi
+  shift words
+  (( CURRENT-- ))
+  case $command in
+{}  esac
+}}
+if [[ $funcstack[1] == _berm ]]; then
+  _berm "$@"
+else
+  compdef _berm berm
+fi
+)",
+                     plain_keys(), names, arguments);
 }
 
 std::string man_page(const CLI::App& app)

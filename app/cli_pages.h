@@ -15,6 +15,10 @@ namespace berm::app
 /// after --set and --vary, and files.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
+/// @brief The same for zsh, with descriptions; both the file of an autoloaded function and a script
+/// to source.
+[[nodiscard]] std::string zsh_completion(const CLI::App& app);
+
 /// @brief The manual page berm(1), in man's macros.
 [[nodiscard]] std::string man_page(const CLI::App& app);
 } // namespace berm::app

@@ -6,27 +6,45 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace berm::app
 {
 namespace
 {
-/// Runs the script with the directory. Empty, or why there are no figures.
-std::string draw(std::string script, const std::filesystem::path& directory)
+namespace fs = std::filesystem;
+
+/// Of an installed program, beside it in share; of one that was built, where its source is.
+fs::path scripts()
 {
-  std::string python = BERM_PYTHON, argument = directory.string();
+  std::error_code none; // no /proc: not installed
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed =
+      program.parent_path().parent_path() / "share" / "berm" / "plots"; // CMakeLists.txt
+  return fs::is_directory(installed, none) ? installed : fs::path(BERM_FIGURES);
+}
+
+/// Runs the script with the directory. Empty, or why there are no figures.
+std::string draw(const char* name, const fs::path& directory, std::span<const std::string> formats)
+{
+  std::string python = BERM_PYTHON, script = (scripts() / name).string();
   if (python.empty())
     return "berm was built without a Python that has matplotlib and h5py";
-  if (!std::filesystem::exists(script))
+  if (!fs::exists(script))
     return script + " is not there";
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  const std::array<char*, 4> arguments = {python.data(), script.data(), argument.data(), nullptr};
+  std::vector<std::string> texts{python, script, directory.string(), "--formats"};
+  texts.insert(texts.end(), formats.begin(), formats.end());
+  std::vector<char*> arguments;
+  for (std::string& text : texts)
+    arguments.push_back(text.data());
+  arguments.push_back(nullptr);
   pid_t child = 0;
   const int error =
       posix_spawnp(&child, python.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -39,22 +57,22 @@ std::string draw(std::string script, const std::filesystem::path& directory)
     if (errno != EINTR)
       return python + " was lost";
   const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  return good ? "" : python + " " + script + " " + argument + " failed";
+  return good ? "" : python + " " + script + " " + directory.string() + " failed";
 }
 } // namespace
 
-std::string draw_figures(const std::filesystem::path& directory)
+std::string draw_figures(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw(BERM_FIGURES, directory);
+  return draw("figures.py", directory, formats);
 }
 
-std::string draw_comparison(const std::filesystem::path& directory)
+std::string draw_comparison(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("comparison.py"), directory);
+  return draw("comparison.py", directory, formats);
 }
 
-std::string draw_study(const std::filesystem::path& directory)
+std::string draw_study(const fs::path& directory, std::span<const std::string> formats)
 {
-  return draw(std::filesystem::path(BERM_FIGURES).replace_filename("study.py"), directory);
+  return draw("study.py", directory, formats);
 }
 } // namespace berm::app

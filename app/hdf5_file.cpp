@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <type_traits>
 
 namespace berm::app
@@ -15,6 +16,8 @@ static_assert(std::is_same_v<hid_t, std::int64_t>, "Hdf5File keeps HDF5's handle
 
 namespace
 {
+constexpr std::size_t growth = 1 << 20; ///< of a file in memory [bytes]
+
 /// A handle that closes itself.
 class Handle
 {
@@ -56,7 +59,10 @@ bool attach_text(hid_t object, const char* name, const std::string& text)
 Hdf5File::Hdf5File(const std::string& path) : path_(path)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are told by exceptions
-  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  // In memory first: HDF5 crashes at the end of the process if it could not write all of a file.
+  const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(in_memory.id(), growth, 0);
+  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id());
   if (file_ < 0)
     fail("cannot be made");
 }
@@ -69,10 +75,18 @@ Hdf5File::~Hdf5File()
 
 void Hdf5File::close()
 {
-  const bool good = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
-  const bool closed = H5Fclose(file_) >= 0;
+  const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  const ssize_t size = flushed ? H5Fget_file_image(file_, nullptr, 0) : -1;
+  std::string image(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+  const bool good = size > 0 && H5Fget_file_image(file_, image.data(), image.size()) == size;
+  H5Fclose(file_);
   file_ = -1;
-  if (!good || !closed)
+  if (!good)
+    fail("cannot be made");
+  std::ofstream file(path_, std::ios::binary);
+  file << image;
+  file.close();
+  if (!file)
     fail("cannot be written; is the disk full?");
 }
 

@@ -9,12 +9,13 @@
 
 namespace berm::app
 {
-/// A new HDF5 file, written by one process (HDF5 is used here only). Groups in a path are made as
-/// needed. Every data set says its unit and its long name.
+/// A new HDF5 file, written by one process (HDF5 is used here only), at once when it is closed: it
+/// is in memory until then. Groups in a path are made as needed. Every data set says its unit and
+/// its long name.
 class Hdf5File
 {
 public:
-  /// @throws IoError if the file cannot be made.
+  /// @throws IoError if HDF5 cannot make one.
   explicit Hdf5File(const std::string& path);
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;

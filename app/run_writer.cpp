@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_writer.h"
 
+#include "app/case_mesh_file.h"
 #include "app/field_files.h"
 #include "app/frame_files.h"
 #include "app/msh_file.h"
 #include "app/reading_files.h"
 #include "app/result_json.h"
+#include "app/text_file.h"
 #include "core/error.h"
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace berm::app
@@ -19,25 +22,14 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::array our_files = {"case.toml",
-                                  "results.h5",
-                                  "results_particles.xdmf",
-                                  "results_mesh.xdmf",
-                                  "results_run_out.xdmf",
-                                  "seepage.png",
-                                  "slip.png",
-                                  "trials.png",
-                                  "curves.png",
-                                  "run_out.png",
-                                  "run_out_energy.png",
-                                  "run_out.gif",
-                                  "lines.png",
-                                  "exit_gradient.png",
-                                  "phreatic_lines.csv",
-                                  "exit_gradients.csv",
-                                  "mesh.msh",
-                                  "report.html",
-                                  "result.json"};
+constexpr std::array our_files = {
+    "case.toml",          "results.h5",           "results_particles.xdmf",
+    "results_mesh.xdmf",  "results_run_out.xdmf", "run_out.gif",
+    "phreatic_lines.csv", "exit_gradients.csv",   "mesh.msh",
+    "report.html",        "result.json"};
+
+constexpr std::array our_figures = {"seepage", "lines",  "exit_gradient", "slip",
+                                    "trials",  "curves", "run_out",       "run_out_energy"};
 
 fs::path aside(const fs::path& path)
 {
@@ -64,9 +56,21 @@ std::vector<fs::path> files_of(const fs::path& directory, const coupling::Case& 
   for (const auto& entry : fs::directory_iterator(directory / lines_folder, none))
     if (entry.path().extension() == ".csv" && std::ranges::find(paths, entry.path()) == paths.end())
       paths.push_back(entry.path());
+  for (const std::string name : our_figures)
+    for (const char* ending : {".png", ".svg"})
+      paths.push_back(directory / (name + ending));
   for (const char* name : our_files)
     paths.push_back(directory / name);
   return paths;
+}
+
+/// The file that the copy of the case takes its section from, so that it runs where it lies.
+/// Nothing where it is not beside the case: --set named another.
+std::vector<TextFile> mesh_file_of(const coupling::Case& input)
+{
+  const auto path = relative_mesh_file(input.text);
+  const auto text = path ? text_of(fs::path(input.path).parent_path() / *path) : std::nullopt;
+  return text ? std::vector<TextFile>{{path->string(), *text}} : std::vector<TextFile>{};
 }
 
 /// Removes what was written aside and not renamed, also when an exception passes.
@@ -117,7 +121,11 @@ void write_run(const fs::path& directory, const coupling::Case& input,
                const fs::path& frames)
 {
   prepare_directory(directory);
-  const std::vector<fs::path> paths = files_of(directory, input);
+  std::vector<TextFile> texts = mesh_file_of(input);
+  std::vector<fs::path> paths = files_of(directory, input);
+  for (const TextFile& file : texts)
+    if (std::ranges::find(paths, directory / file.path) == paths.end())
+      paths.insert(paths.begin(), directory / file.path);
   const Leftovers leftovers{directory, paths}; // whatever throws, no earlier run is replaced
   write_fields(aside(directory / "results.h5").string(), input, analysis);
   write_text(aside(directory / "case.toml"), input.text);
@@ -129,7 +137,8 @@ void write_run(const fs::path& directory, const coupling::Case& input,
   if (analysis.seepage && input.output.msh)
     write_text(aside(directory / "mesh.msh"),
                msh_text(input, analysis.section, analysis.seepage->mesh));
-  for (const TextFile& file : reading_files(input, analysis))
+  std::ranges::move(reading_files(input, analysis), std::back_inserter(texts));
+  for (const TextFile& file : texts)
   {
     std::error_code error; // told by write_text
     fs::create_directories((directory / file.path).parent_path(), error);

@@ -71,8 +71,9 @@ struct Output
   Polyline probes; ///< where to print head and pore pressure [m]
   std::vector<OutputLine> lines;
   bool figures = true;
-  bool msh = false;   ///< the seepage mesh as a file of gmsh
-  bool report = true; ///< whether to write report.html
+  std::vector<std::string> figure_formats{"png"}; ///< png, svg
+  bool msh = false;                               ///< the seepage mesh as a file of gmsh
+  bool report = true;                             ///< whether to write report.html
 };
 
 /// A validated case: SI, radians, every field set. docs/case_reference.md lists the keys.

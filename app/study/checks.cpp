@@ -90,8 +90,10 @@ CheckedMembers check_members(const Study& study, const std::string& reference)
     KeyPlaces places;
     try
     {
-      checked.title =
-          read_case(study.case_path, {member.overrides, study.seepage_only}, places).title;
+      coupling::Case input =
+          read_case(study.case_path, {member.overrides, study.seepage_only}, places);
+      checked.title = std::move(input.title);
+      checked.figure_formats = std::move(input.output.figure_formats);
     }
     catch (const InputError& error)
     {

@@ -4,6 +4,7 @@
 #include "app/study/files.h"
 
 #include <string>
+#include <vector>
 
 namespace berm::app
 {
@@ -12,6 +13,7 @@ struct CheckedMembers
 {
   std::string mistakes; ///< every mistake of every member, each once, for the user; may be empty
   std::string title;    ///< of the case
+  std::vector<std::string> figure_formats;
 };
 
 /// @brief Read and check the case of every member, and the file of reference points.

@@ -20,7 +20,8 @@ struct Study
   Design design = Design::grid;
   bool seepage_only = false;
   bool figures = true; ///< whether to draw it
-  bool report = true;  ///< whether to write its page
+  std::vector<std::string> figure_formats{"png"};
+  bool report = true; ///< whether to write its page
   std::vector<Member> members;
   std::vector<MemberResult> results; ///< one for each member
 };

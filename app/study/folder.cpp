@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study/folder.h"
 
+#include "app/case_mesh_file.h"
 #include "app/run_writer.h"
 #include "app/text_file.h"
 #include "app/version.h"
@@ -15,18 +16,12 @@ namespace berm::app
 {
 namespace fs = std::filesystem;
 
-namespace
+StudyFolder::StudyFolder(const fs::path& directory, bool leads) : directory_(directory)
 {
-const fs::path& prepared(const fs::path& directory)
-{
-  prepare_directory(directory);
-  return directory;
-}
-} // namespace
-
-StudyFolder::StudyFolder(const fs::path& directory)
-    : directory_(directory), lock_(prepared(directory))
-{
+  if (!leads)
+    return;
+  prepare_directory(directory_);
+  lock_.emplace(directory_);
 }
 
 void StudyFolder::clear() const
@@ -65,5 +60,16 @@ void StudyFolder::take_reference(const std::string& path) const
     fs::remove(copy, none);
   else if (!fs::equivalent(path, copy, none))
     write_aside(copy, text_of(path).value_or(""));
+}
+
+void StudyFolder::take_mesh_file(const Study& study) const
+{
+  const auto path = relative_mesh_file(study.case_text);
+  const auto text = path ? text_of(fs::path(study.case_path).parent_path() / *path) : std::nullopt;
+  if (!text) // none, or --set names another
+    return;
+  std::error_code none; // told by write_aside
+  fs::create_directories((directory_ / *path).parent_path(), none);
+  write_aside(directory_ / *path, *text);
 }
 } // namespace berm::app

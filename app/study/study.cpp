@@ -2,6 +2,7 @@
 #include "app/study/study.h"
 
 #include "app/case_file.h"
+#include "app/case_mesh_file.h"
 #include "app/cli.h"
 #include "app/console.h"
 #include "app/figures.h"
@@ -47,9 +48,8 @@ std::string own_value(const TomlValue& document, const std::string& key)
 /// Members read a copy of the case elsewhere: a mesh file relative to the case becomes absolute.
 std::optional<std::string> absolute_mesh_file(const TomlValue& document, const fs::path& case_path)
 {
-  const TomlValue* value = find_value(document, "section.mesh_file");
-  const auto* file = value == nullptr ? nullptr : std::get_if<std::string>(&value->data);
-  if (file == nullptr || fs::path(*file).is_absolute())
+  const auto file = relative_mesh_file(document);
+  if (!file)
     return std::nullopt;
   const fs::path full = fs::absolute(case_path).parent_path() / *file;
   // A string of JSON is one of TOML.
@@ -90,15 +90,16 @@ Study plan(const StudyOptions& options, KeyPlaces& places)
   return study;
 }
 
-/// Members that run, and what is told of them.
+/// Members that this rank runs, and what is told of them. Rank 0 alone speaks and writes.
 class Runs
 {
 public:
-  Runs(Study& study, const fs::path& directory, Console& console)
-      : study_(study), directory_(directory), console_(console)
+  Runs(Study& study, const fs::path& directory, Console& console, const Team& team)
+      : study_(study), directory_(directory), console_(console), leads_(team.rank() == 0)
   {
+    int turn = 0; // every rank counts the same members: they are dealt out like cards
     for (std::size_t m = 0; m < study.members.size(); ++m)
-      if (!study.results[m].finished())
+      if (!study.results[m].finished() && turn++ % team.size() == team.rank())
         waiting_.push_back(m);
     std::ranges::reverse(waiting_); // the next is the last
     to_run_ = waiting_.size();
@@ -149,8 +150,10 @@ private:
   void finish(std::size_t m, MemberResult result)
   {
     study_.results[m] = std::move(result);
-    write_study(directory_, study_);
     ++done_;
+    if (!leads_)
+      return;
+    write_study(directory_, study_);
     const double left =
         watch_.elapsed().wall / static_cast<double>(done_) * static_cast<double>(to_run_ - done_);
     console_.note(fmt::format("{} of {}{}: {}: {}", done_, to_run_,
@@ -162,6 +165,7 @@ private:
   Study& study_;
   const fs::path& directory_;
   Console& console_;
+  bool leads_;
   ChildProcesses children_;
   std::vector<std::size_t> waiting_;
   std::size_t to_run_ = 0, done_ = 0;
@@ -174,61 +178,114 @@ bool all_complete(const Study& study)
                              { return result.status == MemberStatus::complete; });
 }
 
-void refuse_a_team()
+/// What the other ranks ran, known to all: results from the members' folders, which the ranks
+/// share, and of members without one the reason, from the rank that saw it.
+void share_results(Team& team, const fs::path& directory, Study& study)
 {
-  if (process_team().size() > 1)
-    throw InputError({{.key = "mpirun",
-                       .problem = "a study starts its own processes",
-                       .allowed = "one process",
-                       .hint = "--jobs N runs N members at a time"}});
-}
-} // namespace
-
-int run_study(const StudyOptions& options, KeyPlaces& places)
-{
-  refuse_a_team();
-  Study study = plan(options, places);
-  const CheckedMembers checked = check_members(study, options.reference);
-  if (!checked.mistakes.empty())
-  {
-    std::cerr << checked.mistakes;
-    return exit_bad_input;
-  }
-  study.title = checked.title;
-  if (options.check)
-  {
-    std::cout << study_report(study) << "\nNo mistakes; nothing was run.\n";
-    return exit_ok;
-  }
-  const fs::path directory = options.out.empty() ? default_directory(options.case_path) += "_study"
-                                                 : fs::path(options.out);
-  const StudyFolder folder(directory);
-  if (options.fresh || folder.holds_of_another_build(study))
-    folder.clear();
-  folder.take_reference(options.reference);
-  places.run_began = true;
-  catch_stop_signals();
+  if (team.size() == 1)
+    return;
+  Json failed = Json::object();
+  for (std::size_t m = 0; m < study.members.size(); ++m)
+    if (study.results[m].status == MemberStatus::failed)
+      failed[std::to_string(m)] = study.results[m].reason;
+  const std::vector<std::string> told = team.gather(failed.dump());
   for (std::size_t m = 0; m < study.members.size(); ++m)
     study.results[m] = stored_result(directory, study.members[m], study.case_text);
-  write_study(directory, study);
+  for (const std::string& text : told)
+  {
+    const Json reasons = Json::parse(text);
+    for (const auto& [m, reason] : reasons.items())
+    {
+      MemberResult& result = study.results[std::stoul(m)];
+      result.status = MemberStatus::failed;
+      result.reason = reason;
+    }
+  }
+}
 
-  Console console(stderr, isatty(STDERR_FILENO) == 1,
-                  options.quiet ? Volume::quiet : Volume::normal);
-  const auto there = std::ranges::count_if(study.results, &MemberResult::finished);
-  const int jobs = options.jobs > 0 ? options.jobs : omp_get_num_procs();
-  console.stage(fmt::format("study: {} members, {} of them there already, {} at a time",
-                            study.members.size(), there, jobs));
-  Runs(study, directory, console).run(jobs);
+void wait_for_all(Team& team)
+{
+  (void)team.gather({});
+}
+
+/// The directory, ready for the members that are missing; `study` gains the results that are there.
+void prepare(const StudyFolder& folder, const StudyOptions& options, const fs::path& directory,
+             Study& study, Team& team)
+{
+  wait_for_all(team);                                                      // rank 0 made it
+  const bool anew = options.fresh || folder.holds_of_another_build(study); // all throw, or none
+  wait_for_all(team);                                                      // all looked at it
+  if (team.rank() == 0)
+  {
+    if (anew)
+      folder.clear();
+    folder.take_reference(options.reference);
+    folder.take_mesh_file(study);
+  }
+  wait_for_all(team);
+  for (std::size_t m = 0; m < study.members.size(); ++m)
+    study.results[m] = stored_result(directory, study.members[m], study.case_text);
+  if (team.rank() == 0)
+    write_study(directory, study);
+  wait_for_all(team); // no member runs before all know which are missing
+}
+
+/// What rank 0 makes of the results.
+void report_study(const StudyOptions& options, const fs::path& directory, const Study& study,
+                  Console& console)
+{
+  write_study(directory, study);
   if (study.figures && !console.stop_requested())
   {
     console.stage("figures");
-    if (const std::string problem = draw_study(directory); !problem.empty())
+    if (const std::string problem = draw_study(directory, study.figure_formats); !problem.empty())
       console.warn("no figures: " + problem);
   }
   if (study.report && report_built_in())
     write_report(directory);
   if (!options.quiet)
     std::cout << study_report(study) << "\nResults in " << directory.string() << "\n";
+}
+} // namespace
+
+int run_study(const StudyOptions& options, KeyPlaces& places)
+{
+  Team& team = process_team();
+  const bool leads = team.rank() == 0;
+  Study study = plan(options, places);
+  const CheckedMembers checked = check_members(study, options.reference);
+  if (!checked.mistakes.empty())
+  {
+    if (leads)
+      std::cerr << checked.mistakes;
+    return exit_bad_input;
+  }
+  study.title = checked.title;
+  study.figure_formats = checked.figure_formats;
+  if (options.check)
+  {
+    if (leads)
+      std::cout << study_report(study) << "\nNo mistakes; nothing was run.\n";
+    return exit_ok;
+  }
+  const fs::path directory = options.out.empty() ? default_directory(options.case_path) += "_study"
+                                                 : fs::path(options.out);
+  const StudyFolder folder(directory, leads);
+  prepare(folder, options, directory, study, team);
+  places.run_began = true;
+  catch_stop_signals();
+
+  Console console(stderr, isatty(STDERR_FILENO) == 1,
+                  options.quiet || !leads ? Volume::quiet : Volume::normal);
+  const auto there = std::ranges::count_if(study.results, &MemberResult::finished);
+  const int jobs = options.jobs > 0 ? options.jobs : team.size() > 1 ? 1 : omp_get_num_procs();
+  console.stage(fmt::format(
+      "study: {} members, {} of them there already, {} at a time{}", study.members.size(), there,
+      jobs, team.size() > 1 ? fmt::format(" on each of {} ranks", team.size()) : ""));
+  Runs(study, directory, console, team).run(jobs);
+  share_results(team, directory, study);
+  if (leads)
+    report_study(options, directory, study, console);
   return all_complete(study) ? exit_ok : exit_no_answer;
 }
 } // namespace berm::app

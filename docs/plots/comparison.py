@@ -3,14 +3,12 @@
 pressure minus the assumed one in the soil, the seepage force, and the pressure of each water along
 the slip line under seepage.
 
-    /usr/bin/python3 docs/plots/comparison.py DIR
+    /usr/bin/python3 docs/plots/comparison.py DIR [--formats png svg]
 
 DIR is what `berm compare` wrote: comparison.json, and a run in each of its folders.
 """
 
 import json
-import pathlib
-import sys
 
 import h5py
 import matplotlib
@@ -20,7 +18,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
-from section import BLUE, GREY, ORANGE, PURPLE, colour_bar, draw_section, draw_tiles
+from section import (BLUE, GREY, ORANGE, PURPLE, colour_bar, command_line, draw_section, draw_tiles,
+                     save)
 
 LOOKS = {"seepage": (BLUE, "-"), "phreatic": (PURPLE, "--"), "hydrostatic": (ORANGE, "-."),
          "dry": (GREY, ":")}
@@ -114,7 +113,7 @@ def along_slip_line(ax, comparison, directory, results):
     ax.legend(fontsize=8)
 
 
-def main(directory):
+def main(directory, formats):
     comparison = json.loads((directory / "comparison.json").read_text(encoding="utf-8"))
     results = {w["name"]: json.loads((directory / w["directory"] / "result.json").read_text("utf-8"))
                for w in comparison["waters"]}
@@ -138,8 +137,9 @@ def main(directory):
     force_map(fig, next(rest), directory, results["seepage"])
     if particles:
         along_slip_line(next(rest), comparison, directory, results)
-    fig.savefig(directory / "comparison.png", dpi=150)
+    save(fig, directory / "comparison", formats)
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]))
+    options = command_line(__doc__).parse_args()
+    main(options.directory, options.formats)

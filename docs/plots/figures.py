@@ -2,13 +2,12 @@
 """Draw a run beside its result.json and results.h5: seepage.png, lines.png, exit_gradient.png,
 slip.png, trials.png, curves.png, and of a run-out run_out.png, run_out_energy.png and run_out.gif.
 
-    /usr/bin/python3 docs/plots/figures.py DIR [--out DIR]
+    /usr/bin/python3 docs/plots/figures.py DIR [--out DIR] [--formats png svg]
 
 A figure whose stage the run does not have is not drawn. Needs numpy, h5py and matplotlib
 (Debian: python3-numpy python3-h5py python3-matplotlib).
 """
 
-import argparse
 import json
 import pathlib
 
@@ -23,8 +22,8 @@ from matplotlib.tri import Triangulation
 
 import readings
 import run_out
-from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, draw_section,
-                     draw_tiles, figure_for)
+from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, YELLOW, colour_bar, command_line,
+                     draw_section, draw_tiles, figure_for, legend_below, save)
 
 
 def draw_water_line(ax, result):
@@ -75,7 +74,7 @@ def seepage_figure(result, fields):
     readings.draw_heave(ax, result)
     q = result["seepage"]["discharge_m2_s"]
     ax.set_title(f"{result['title']}\ndischarge {q:.4g} m²/s per metre run")
-    ax.legend(loc="upper right", framealpha=0.9, fontsize=8)
+    legend_below(ax)
     colour_bar(fig, ax, filled, "hydraulic head [m]")
     return fig
 
@@ -190,8 +189,7 @@ def slip_figure(result, fields):
     answer = f"F = {found:.3f}" if stability["complete"] else "factor of safety undecided"
     answer += where_reduced(stability)
     ax.set_title(f"{result['title']}\n{answer}; drawn: strength / {factor:.4g}, {name}")
-    if ax.get_legend_handles_labels()[0]:
-        ax.legend(loc="upper right", framealpha=0.9)
+    legend_below(ax)
     colour_bar(fig, ax, tiles, "equivalent plastic strain [-]")
     return fig
 
@@ -267,8 +265,7 @@ def curves_figure(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("directory", type=pathlib.Path, help="results of a run")
+    parser = command_line(__doc__)
     parser.add_argument("--out", type=pathlib.Path, help="where to put the figures [beside them]")
     options = parser.parse_args()
     out = options.out or options.directory
@@ -289,7 +286,7 @@ def main():
         run_out.animation(result, options.directory, out / "run_out.gif")
     for name, figure in figures.items():
         if figure is not None:
-            figure.savefig(out / f"{name}.png", dpi=150, bbox_inches="tight")
+            save(figure, out / name, options.formats, bbox_inches="tight")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.collections import EllipseCollection
 
-from section import BLUE, GREEN, GREY, ORANGE, colour_bar, draw_section, figure_for
+from section import BLUE, GREEN, GREY, ORANGE, colour_bar, draw_section, figure_for, legend_below
 
 
 def frame_paths(directory):
@@ -25,7 +25,8 @@ def draw_soil(ax, result, position, moved, highest):
     """Particles as discs as wide as their spacing, coloured by how far they moved."""
     width = np.full(len(position), result["stability"]["spacing_m"] * 1.25)
     soil = EllipseCollection(width, width, np.zeros(len(position)), units="xy", offsets=position,
-                             transOffset=ax.transData, cmap="cividis", linewidths=0, zorder=2)
+                             transOffset=ax.transData, cmap="cividis", linewidths=0, zorder=2,
+                             rasterized=True)
     soil.set_array(moved)
     soil.set_clim(0, highest if highest > 0 else 1)
     ax.add_collection(soil)
@@ -51,7 +52,7 @@ def final_shape_figure(result, directory):
         f"STILL MOVING at {time:.3g} s"
     far = "" if run_out["run_out_m"] is None else f"; run-out {run_out['run_out_m']:.2f} m"
     ax.set_title(f"{result['title']}\nstrength / {run_out['factor']:.4g}, {end}{far}")
-    ax.legend(loc="upper right", framealpha=0.9)
+    legend_below(ax)
     colour_bar(fig, ax, soil, "total displacement [m]")
     return fig
 

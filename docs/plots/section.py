@@ -1,4 +1,7 @@
-"""What every figure shares: the section as drawn, pools, axes, colours."""
+"""What every figure shares: the section as drawn, pools, axes, colours; where it is saved."""
+
+import argparse
+import pathlib
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -62,10 +65,10 @@ def draw_inner_lines(ax, section):
 
 
 def figure_for(result):
-    """A figure in the section's own proportions, with room for title and colour bar."""
+    """A figure in the section's own proportions, with room for title, legend and colour bar."""
     section = result["section"]
     ratio = (section["y_max_m"] - section["y_min_m"]) / (section["x_max_m"] - section["x_min_m"])
-    return plt.subplots(figsize=(11, min(max(11 * ratio + 1.9, 3), 11)), layout="constrained")
+    return plt.subplots(figsize=(11, min(max(11 * ratio + 2.4, 3), 11)), layout="constrained")
 
 
 def draw_tiles(ax, result, position, volume, values, cmap):
@@ -74,7 +77,7 @@ def draw_tiles(ax, result, position, volume, values, cmap):
     half = np.column_stack([np.full(len(volume), width / 2), volume / width / 2])
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     tiles = PolyCollection(position[:, None, :] + corners * half[:, None, :], cmap=cmap,
-                           linewidths=0.4, edgecolors="face", zorder=2)
+                           linewidths=0.4, edgecolors="face", zorder=2, rasterized=True)
     tiles.set_array(values)
     ax.add_collection(tiles)
     tiles.set_clip_path(Polygon(np.array(result["section"]["outline_m"]), transform=ax.transData))
@@ -84,3 +87,26 @@ def draw_tiles(ax, result, position, volume, values, cmap):
 def colour_bar(fig, ax, mappable, label):
     bar = fig.colorbar(mappable, ax=ax, orientation="horizontal", shrink=0.6, aspect=40, pad=0.02)
     bar.set_label(label)
+
+
+def legend_below(ax):
+    """Under the axis' own label, where it covers nothing of the section."""
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, 0), borderaxespad=4.2, ncol=6,
+                  frameon=False, fontsize=8)
+
+
+def command_line(doc):
+    """What berm calls each script with: the directory of results, and how to save its figures."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
+    parser.add_argument("directory", type=pathlib.Path, help="what berm wrote")
+    parser.add_argument("--formats", nargs="+", choices=["png", "svg"], default=["png"])
+    return parser
+
+
+def save(figure, path, formats, **options):
+    """One file a format: path.png, path.svg. The same figure gives the same bytes."""
+    for name in formats:
+        plt.rcParams["svg.hashsalt"] = path.name
+        metadata = {"Date": None} if name == "svg" else None
+        figure.savefig(f"{path}.{name}", dpi=150, metadata=metadata, **options)

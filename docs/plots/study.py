@@ -2,7 +2,7 @@
 """Draw a study beside its study.json: study_factor.png, study_discharge.png, study_tornado.png and
 study_phreatic.png, as far as there is something to draw.
 
-    /usr/bin/python3 docs/plots/study.py DIR
+    /usr/bin/python3 docs/plots/study.py DIR [--formats png svg]
 
 DIR is what `berm study` wrote. Points of DIR/reference.csv (columns x, F or discharge_m2_s, source)
 are drawn over the results.
@@ -10,9 +10,7 @@ are drawn over the results.
 
 import csv
 import json
-import pathlib
 import re
-import sys
 
 import matplotlib
 
@@ -22,7 +20,8 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 
-from section import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, colour_bar, draw_section, figure_for
+from section import (BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, colour_bar, command_line, draw_section,
+                     figure_for, save)
 
 COLOURS = [BLUE, ORANGE, GREEN, PURPLE, SKY, GREY]
 LOOKS = [(colour, marker, style) for style in ("-", "--", ":")
@@ -337,7 +336,7 @@ def without_pools_that_differ(results):
     return {"section": section}
 
 
-def main(directory):
+def main(directory, formats):
     study = json.loads((directory / "study.json").read_text(encoding="utf-8"))
     some = [q for q in (FACTOR, DISCHARGE)
             if any(member[q.key] is not None for member in study["members"])]
@@ -351,11 +350,13 @@ def main(directory):
     if DISCHARGE in some:
         figures["phreatic"] = phreatic_figure(study, directory)
     for name in ("factor", "discharge", "tornado", "phreatic"):
-        path = directory / f"study_{name}.png"
-        path.unlink(missing_ok=True)
+        path = directory / f"study_{name}"
+        for old in ("png", "svg"):
+            path.with_suffix(f".{old}").unlink(missing_ok=True)
         if figures.get(name) is not None:
-            figures[name].savefig(path, dpi=150, bbox_inches="tight")
+            save(figures[name], path, formats, bbox_inches="tight")
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]))
+    options = command_line(__doc__).parse_args()
+    main(options.directory, options.formats)

@@ -60,11 +60,12 @@ class BermTest(unittest.TestCase):
         return self.berm("run", DRY, "--out", directory, "--set", "stability.enabled=false",
                          "--set", "runout.factor=3", *shake, *COARSE, *more, code=code)
 
+    ANY_USER = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
     def mpirun(self, ranks, *arguments, code=0):
         """As `berm`, in a team. Any user, more ranks than processors."""
-        allow = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         command = ["mpirun", "--oversubscribe", "-n", str(ranks), BERM, *map(str, arguments)]
         done = subprocess.run(command, cwd=self.dir, text=True, capture_output=True, check=False,
-                              env=os.environ | allow)
+                              env=os.environ | self.ANY_USER)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout, done.stderr

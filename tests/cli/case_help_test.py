@@ -8,8 +8,8 @@ import shutil
 import subprocess
 import unittest
 
-from berm_cli import (BERM, CAN_VALIDATE, CASES, COARSE, DRY, HAS_SEEPAGE, NO_FIGURES, SOURCE,
-                      SYSTEM_PYTHON, BermTest)
+from berm_cli import (BERM, CAN_PLOT, CAN_VALIDATE, CASES, COARSE, DRY, HAS_SEEPAGE, NO_FIGURES,
+                      SOURCE, SYSTEM_PYTHON, BermTest)
 
 
 class CaseHelp(BermTest):
@@ -114,6 +114,20 @@ class CaseHelp(BermTest):
         self.assertEqual(self.complete("run", "sec"), ["section.toml"])
         self.berm("completion", "tcsh", code=2)
 
+    def test_zsh_completes_the_same(self):
+        script, _ = self.berm("completion", "zsh")
+        self.assertTrue(script.startswith("#compdef berm\n"))
+        for command in ("run", "seepage", "study", "init", "reference", "completion"):
+            self.assertIn(f"\n    '{command}:", script)
+            out, _ = self.berm(command, "--help")
+            arguments = script.split(f"\n    {command})\n")[1].split(";;")[0]
+            for option in re.findall(r"--[a-z-]+", out):
+                self.assertIn(f"{option}[", arguments)
+        self.assertIn(":(bash zsh)'", script)
+        self.assertIn(" water.left_level_m= ", script)
+        if shutil.which("zsh"):
+            subprocess.run(["zsh", "-n"], input=script, text=True, check=True)
+
     def test_the_manual_page_names_every_command_and_option(self):
         page, _ = self.berm("man")
         for command in ("run", "seepage", "study", "init", "reference", "completion"):
@@ -127,6 +141,37 @@ class CaseHelp(BermTest):
                                   capture_output=True, check=True)
             self.assertEqual(done.stderr, "")
             self.assertIn("EXIT STATUS", re.sub(".\b", "", done.stdout))
+
+    def test_an_installed_program_has_all_it_needs_beside_it(self):
+        prefix = self.dir / "prefix"
+        subprocess.run(["cmake", "--install", pathlib.Path(BERM).parent, "--prefix", prefix],
+                       check=True, stdout=subprocess.DEVNULL)
+        program, share = prefix / "bin" / "berm", prefix / "share"
+
+        def installed(*arguments):
+            return subprocess.run([program, *arguments], cwd=self.dir, check=True, text=True,
+                                  capture_output=True).stdout
+
+        version = re.search(r"project\(berm VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())
+        self.assertIn(f"berm {version[1]}\n", installed("version"))
+        page = (share / "man" / "man1" / "berm.1").read_text()
+        self.assertIn(f'"berm {version[1]}"', page)
+        self.assertEqual(page, installed("man"))
+        for shell, place in (("bash", "bash-completion/completions/berm"),
+                             ("zsh", "zsh/site-functions/_berm")):
+            self.assertEqual((share / place).read_text(), installed("completion", shell))
+        for name in ("LICENSE", "README.md", "docs/output_format.md"):
+            self.assertEqual((share / "doc" / "berm" / name).read_bytes(),
+                             (SOURCE / name).read_bytes())
+        case = share / "berm" / "cases" / "two_sided_embankment" / "dry.toml"
+        self.assertIn("no mistakes", installed("check", case))
+        if CAN_PLOT:  # by the scripts beside it: nothing of the sources is asked for
+            script = share / "berm" / "plots" / "figures.py"
+            with script.open("a", encoding="utf-8") as file:
+                file.write(f"    pathlib.Path({str(self.dir / 'drawn')!r}).touch()\n")
+            installed("run", case, *COARSE, "--out", "out")
+            self.assertTrue((self.dir / "drawn").exists())
+            self.assertTrue((self.dir / "out" / "slip.png").exists())
 
 
 if __name__ == "__main__":

@@ -289,6 +289,28 @@ class Cli(BermTest):
         self.assertAlmostEqual(meshed["seepage"]["discharge_m2_s"], q, delta=1e-12)
 
     @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
+    def test_the_case_beside_results_runs_with_the_mesh_file_beside_it(self):
+        coarse = ["--set", "seepage.tolerance=1e-2", *NO_FIGURES]
+        drawing = (SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8")
+        case = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
+        (self.dir / "mine" / "meshes").mkdir(parents=True)
+        self.write(drawing, "mine/meshes/dam.geo")
+        self.write(case.replace("dam.geo", "meshes/dam.geo"), "mine/case.toml")
+        self.berm("seepage", "mine/case.toml", *coarse, "--out", "first")
+        self.berm("study", "mine/case.toml", "--seepage", "--vary", "water.left_level_m=16,18",
+                  *coarse, "--out", "study")
+        shutil.rmtree(self.dir / "mine")
+        self.berm("seepage", "first/case.toml", *coarse, "--out", "again")
+        self.assertEqual(without_times(self.result("first")["seepage"]),
+                         without_times(self.result("again")["seepage"]))
+        self.assertEqual((self.dir / "again" / "meshes" / "dam.geo").read_text(), drawing)
+        for member in (self.dir / "study" / "members").iterdir():
+            self.berm("check", member / "case.toml")
+        self.berm("seepage", "again/case.toml", *coarse, "--out", "again")  # onto itself
+        self.berm("check", "again/case.toml")
+        self.assertFalse(list((self.dir / "again").rglob("*.part")))
+
+    @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
     def test_mistakes_of_a_mesh_file_are_told_with_those_of_the_case(self):
         text = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
         self.write((SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8"),
@@ -547,6 +569,19 @@ class Cli(BermTest):
             picture = (self.dir / "out" / f"{name}.png").read_bytes()
             self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
             self.assertGreater(len(picture), 10000)
+        self.assertFalse(list((self.dir / "out").glob("*.svg")))  # unless asked for
+        drawing = ["--set", 'output.figure_formats=["svg"]']
+        self.berm("run", case, *COARSE, *drawing, "--out", "out")
+        self.assertFalse(list((self.dir / "out").glob("*.png")))  # of the run before
+        script = SOURCE / "docs" / "plots" / "figures.py"
+        subprocess.run(["/usr/bin/python3", "-B", script, "out", "--out", ".", "--formats", "svg"],
+                       cwd=self.dir, check=True)
+        for name in [*water, "slip", "trials", "curves"]:
+            picture = (self.dir / "out" / f"{name}.svg").read_bytes()
+            self.assertTrue(xml.etree.ElementTree.fromstring(picture).tag.endswith("}svg"))
+            self.assertLess(len(picture), 300_000)
+            self.assertEqual(picture, (self.dir / f"{name}.svg").read_bytes())  # no dates
+        self.assertIn(b"<image", (self.dir / "out" / "slip.svg").read_bytes())  # of the particles
 
 
 if __name__ == "__main__":

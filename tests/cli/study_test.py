@@ -49,7 +49,9 @@ class Study(BermTest):
 
     @staticmethod
     def children(process):
-        path = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        """Their ids; of a Popen or of an id."""
+        number = getattr(process, "pid", process)
+        path = pathlib.Path(f"/proc/{number}/task/{number}/children")
         return [int(child) for child in path.read_text().split()]
 
     def test_a_study_runs_every_combination_and_tabulates_it(self):
@@ -202,9 +204,62 @@ class Study(BermTest):
         study.communicate(timeout=30)
 
     @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
-    def test_a_study_is_for_one_process_which_mpirun_may_start(self):
-        _, err = self.mpirun(2, "study", DRY, "--vary", "soil.fill.cohesion_kPa=5", code=2)
-        self.assertIn("--jobs", err)
+    def test_ranks_share_the_members_of_a_study_and_make_the_same_table(self):
+        vary = ["--vary", "soil.fill.cohesion_kPa=5,10,13,20,25", *COARSE, *NO_FIGURES]
+
+        def tables(directory):
+            """study.json and study.csv but for times and the directory's name."""
+            text = (self.dir / directory / "study.json").read_text()
+            rows = self.table(directory)
+            for row in rows:
+                row.pop("seconds")
+            text = re.sub('"seconds": [0-9.e+-]+', '"seconds": 0', text)
+            return (text + json.dumps(rows)).replace(f"{directory}/", "")
+
+        for directory in ("alone", "shared"):  # one member fails, in both
+            folder = self.dir / directory / "members" / "002_cohesion_kPa_10"
+            folder.parent.mkdir(parents=True)
+            folder.write_text("in the way")
+        self.berm("study", DRY, *vary, "--jobs", 1, "--out", "alone", code=3)
+        out, err = self.mpirun(2, "study", DRY, *vary, "--out", "shared", code=3)
+        self.assertEqual(tables("shared"), tables("alone"))
+        self.assertIn("5 members, 0 of them there already, 1 at a time on each of 2 ranks", err)
+        self.assertEqual(out.count("Results in"), 1)
+        (self.dir / "shared" / "members" / "002_cohesion_kPa_10").unlink()
+        _, err = self.mpirun(2, "study", DRY, *vary, "--out", "shared")  # goes on
+        self.assertIn("4 of them there already", err)
+        _, err = self.mpirun(2, "study", DRY, "--vary", "soil.fill.cohesion_kPa=5", "--out",
+                             "shared", code=2)
+        self.assertEqual(err.count("holds another study"), 1)
+        _, err = self.mpirun(2, "study", DRY, "--vary", "soil.fill.cohesion_kPa=-5", code=2)
+        self.assertEqual(err.count("1 mistake; nothing was run."), 1)
+
+    @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
+    def test_a_killed_team_takes_its_children_along_and_its_study_resumes(self):
+        angles = "soil.fill.friction_angle_deg=30:38:6"
+        command = ["study", DRY, "--vary", angles, "--set", "sph.spacing_m=1", *NO_FIGURES, "--out",
+                   "out"]
+        team = subprocess.Popen(["mpirun", "--oversubscribe", "-n", "2", BERM, *command],
+                                cwd=self.dir, text=True, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, env=os.environ | self.ANY_USER)
+        self.addCleanup(team.kill)
+        self.addCleanup(team.communicate)
+        ranks = self.wait_for(lambda: len(self.results()) >= 2 and self.children(team))
+        members = [child for rank in ranks for child in self.children(rank)]
+        team.kill()
+        team.wait()
+        self.wait_for(lambda: not any(pathlib.Path(f"/proc/{process}/exe").exists()
+                                      for process in [*ranks, *members]))
+        kept = {path: path.stat().st_mtime_ns for path in self.results()}
+        self.assertLess(len(kept), 6)
+        _, err = self.mpirun(2, *command)
+        self.assertIn(f"6 members, {len(kept)} of them there already", err)
+        self.assertEqual(len(self.results()), 6)
+        for path, written in kept.items():
+            self.assertEqual(path.stat().st_mtime_ns, written)
+
+    @unittest.skipUnless(HAS_SEEPAGE and shutil.which("mpirun"), "no MPI")
+    def test_mpirun_may_start_a_study_of_one_process(self):
         self.mpirun(1, "study", CASES / "seepage.toml", "--seepage", "--vary",
                     "water.left_level_m=20", "--set", "seepage.adaptive=false", *NO_FIGURES)
 

@@ -185,7 +185,7 @@ class Kills(FaultTest):
     @staticmethod
     def name_of(process):
         try:
-            return (process / "comm").read_text()
+            return (process / "cmdline").read_text()
         except OSError:
             return ""
 
@@ -250,8 +250,10 @@ class Limits(FaultTest):
         run = self.begin(*self.case)
         while not (self.dir / "out" / "checkpoint" / "run.json").exists() and run.poll() is None:
             time.sleep(0.01)
+        run.send_signal(signal.SIGSTOP)  # however slow the machine
         _, err = self.berm("run", *EARLIER, "--out", "out", code=4)
         self.assertIn("another berm works in this directory", err)
+        run.send_signal(signal.SIGCONT)
         self.end_with(run, CUT_SHORT)
         self.expect_whole()
 

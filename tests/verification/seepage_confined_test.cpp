@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Confined flow with closed forms, and the order of the error: docs/verification.md S-6.
 #include "meshes/planar.h"
+#include "tests/support/measured.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ TEST_P(SheetPile, HasItsExactDischarge)
 {
   const auto [depth, discharge] = GetParam();
   const seepage::Solution s = sheet_pile(depth * layer);
-  EXPECT_NEAR(s.discharge, drop * discharge, 3e-3 * drop * discharge);
+  tests::expect_measured("S-6 sheet pile: discharge / k [m]", s.discharge, drop * discharge,
+                         3e-3 * drop * discharge);
   EXPECT_TRUE(s.phreatic_lines.empty());
   EXPECT_FALSE(s.exit_point);
 }
@@ -56,7 +58,8 @@ TEST(SheetPile, HasItsExactExitGradient)
       return seepage::value_at(s, s.head, {x, layer - depth}, 0).value();
     };
     const double slope = (4 * head(1) - head(2) - 3 * layer) / 2;
-    EXPECT_NEAR(slope, gradient, 0.01 * gradient);
+    tests::expect_measured(fmt::format("S-6 sheet pile: exit gradient at {} m", x), slope, gradient,
+                           0.01 * gradient);
   }
 }
 
@@ -72,8 +75,10 @@ TEST(FlatBottomedDam, HasItsExactDischargeAndUplift)
                                      {{BoundaryKind::head, layer + drop},
                                       {BoundaryKind::head, layer},
                                       {BoundaryKind::impervious, 0}});
-  EXPECT_NEAR(s.discharge, 5.33180, 3e-3 * 5.33180);
-  EXPECT_LT(
+  tests::expect_measured("S-6 flat-bottomed dam: discharge / k [m]", s.discharge, 5.33180,
+                         3e-3 * 5.33180);
+  tests::expect_error(
+      "S-6 flat-bottomed dam: heads below it, largest error [m]",
       tests::largest_head_error(
           s, {{-5, layer, layer + 6.72924}, {0, layer, layer + 5}, {5, layer, layer + 3.27076}}),
       0.002 * drop);
@@ -143,8 +148,10 @@ TEST(QuarterAnnulus, HeadAndDischargeAreSecondOrder)
   EXPECT_LT(finest.discharge, 0.001 * 28.596);
   for (const auto& [a, b] : {std::pair{coarse, fine}, std::pair{fine, finest}})
   {
-    EXPECT_NEAR(std::log2(a.head / b.head), 2, 0.1);
-    EXPECT_NEAR(std::log2(a.discharge / b.discharge), 2, 0.1);
+    tests::expect_measured("S-6 quarter annulus: order of the head", std::log2(a.head / b.head), 2,
+                           0.1);
+    tests::expect_measured("S-6 quarter annulus: order of the discharge",
+                           std::log2(a.discharge / b.discharge), 2, 0.1);
   }
 }
 
@@ -164,8 +171,9 @@ TEST(QuarterAnnulus, OnADefaultMeshHasItsExactDischarge)
   input.marked_lines = {inner, outer};
   const seepage::Solution s = solved(
       input, {{1, 1, 0}}, {{BoundaryKind::head, datum + 30}, {BoundaryKind::head, datum + 10}});
-  EXPECT_NEAR(s.discharge, 28.596009,
-              3e-3 * 28.596009); // unrefined: h = 1.5 m against a radius of 10 m
+  tests::expect_measured("S-6 quarter annulus, default mesh: discharge / k [m]", s.discharge,
+                         28.596009,
+                         3e-3 * 28.596009); // unrefined: h = 1.5 m against a radius of 10 m
 }
 } // namespace
 } // namespace berm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dams with exact solutions: docs/verification.md S-1, S-2, S-3. All with default settings.
+#include "tests/support/measured.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <gtest/gtest.h>
@@ -39,11 +40,13 @@ TEST_P(RectangularDam, HasItsExactDischargeFreeSurfaceAndExit)
   const seepage::Solution s =
       solved(rectangular_dam(dam.length, dam.head, dam.tailwater), {{1, 1, 0}});
   // What users are promised of the meshes that the default tolerance chooses.
-  EXPECT_NEAR(s.discharge, dam.discharge, 2e-4 * dam.discharge);
-  EXPECT_LT(largest_level_error(s, dam.free_surface), 5e-4 * dam.head);
+  tests::expect_measured("S-1 discharge / k [m]", s.discharge, dam.discharge, 2e-4 * dam.discharge);
+  tests::expect_error("S-1 free surface, largest error [m]",
+                      largest_level_error(s, dam.free_surface), 5e-4 * dam.head);
   ASSERT_TRUE(s.exit_point);
   EXPECT_NEAR(s.exit_point->x(), dam.length, 1e-9);
-  EXPECT_NEAR(s.exit_point->y(), dam.exit, 5e-3 * dam.head); // vertical tangent: the slowest of all
+  tests::expect_measured("S-1 exit height [m]", s.exit_point->y(), dam.exit,
+                         5e-3 * dam.head); // vertical tangent: the slowest of all
   EXPECT_TRUE(s.error.within_tolerance);
   EXPECT_LT(s.balance, 1e-8);
 }
@@ -82,8 +85,10 @@ TEST(AnisotropicDam, IsTheIsotropicOneStretched)
        {seepage::Conductivity{4, 1, 0}, seepage::Conductivity{1, 4, pi / 2}})
   {
     const seepage::Solution s = solved(input, {k}, {}, {.tolerance = 1e-4}); // half of the bound
-    EXPECT_NEAR(s.discharge, 4 * 100 / 40., 2e-4 * 10);
-    EXPECT_LT(largest_level_error(s, stretched), 5e-4 * 10);
+    tests::expect_measured("S-1 anisotropic: discharge / k [m]", s.discharge, 4 * 100 / 40.,
+                           2e-4 * 10);
+    tests::expect_error("S-1 anisotropic: free surface, largest error [m]",
+                        largest_level_error(s, stretched), 5e-4 * 10);
   }
 }
 
@@ -105,22 +110,24 @@ double cored_dam_error(double k_core, double k_drain)
 // Free surfaces that jump at the zones: twice the default tolerance.
 TEST(ZonedDam, OfModerateContrastHasItsExactDischarge)
 {
-  EXPECT_NEAR(cored_dam_error(0.1, 1), 0, 1e-3);
+  tests::expect_measured("S-2 cores: discharge, relative error", cored_dam_error(0.1, 1), 0, 1e-3);
 }
 TEST(ZonedDam, WithATightCoreHasItsExactDischarge)
 {
-  EXPECT_NEAR(cored_dam_error(1e-3, 1), 0, 1e-3);
+  tests::expect_measured("S-2 cores: discharge, relative error", cored_dam_error(1e-3, 1), 0, 1e-3);
 }
 TEST(ZonedDam, WithATightCoreAndADrainHasItsExactDischarge)
 {
-  EXPECT_NEAR(cored_dam_error(1e-3, 100), 0, 1e-3);
+  tests::expect_measured("S-2 cores: discharge, relative error", cored_dam_error(1e-3, 100), 0,
+                         1e-3);
 }
 
 TEST(ZonedDam, OfHorizontalLayersHasItsExactDischarge)
 {
   meshes::SectionInput input = rectangular_dam(8, 10, 2);
   input.zones = {box(1, 0, 5, 8, 11)};
-  EXPECT_NEAR(solved(input, {{1, 1, 0}, {2, 2, 0}}).discharge, 7.5625, 1e-3 * 7.5625);
+  tests::expect_measured("S-2 horizontal layers: discharge / k [m]",
+                         solved(input, {{1, 1, 0}, {2, 2, 0}}).discharge, 7.5625, 1e-3 * 7.5625);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -134,18 +141,21 @@ TEST(KozenyDam, HasItsExactDischargeHeadsAndFreeSurface)
   const meshes::SectionInput input = tests::kozeny_dam();
   const seepage::Solution s = solved(
       input, {{1, 1, 0}}, {{seepage::BoundaryKind::head, 4}, {seepage::BoundaryKind::head, 0}});
-  EXPECT_NEAR(s.discharge, 1, 2e-3); // the flow converges on the drain's tip like r^(-1/2)
+  tests::expect_measured("S-3 discharge / k [m]", s.discharge, 1,
+                         2e-3); // the flow converges on the drain's tip like r^(-1/2)
   const auto head = [](double x, double y) { return std::sqrt(std::hypot(x, y) + x); };
   EXPECT_NEAR(head(1, 0.5), 1.45535, 1e-5); // the closed form against the table
-  EXPECT_LT(
+  tests::expect_error(
+      "S-3 heads, largest error [m]",
       largest_head_error(
           s,
           {{1, 0.5, head(1, 0.5)}, {2, 1, head(2, 1)}, {3, 0.2, head(3, 0.2)}, {5, 2, head(5, 2)}}),
       2e-3 * 1.45535); // 0.2 % of the smallest of them
-  EXPECT_LT(largest_level_error(s, {{0, 1}, {1.5, 2}, {4, 3}}), 0.01);
+  tests::expect_error("S-3 free surface, largest error [m]",
+                      largest_level_error(s, {{0, 1}, {1.5, 2}, {4, 3}}), 0.01);
   ASSERT_TRUE(s.exit_point);
-  EXPECT_NEAR(s.exit_point->x(), -0.5,
-              0.08); // meets the drain at a right angle: a few of its edges
+  tests::expect_measured("S-3 exit on the drain, x [m]", s.exit_point->x(), -0.5,
+                         0.08); // meets the drain at a right angle: a few of its edges
   EXPECT_EQ(s.exit_point->y(), 0);
 }
 } // namespace

@@ -2,6 +2,7 @@
 // The stream function against closed forms, and against the flux through cuts: docs/verification.md
 // S-8. All with default settings.
 #include "meshes/planar.h"
+#include "tests/support/measured.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <gtest/gtest.h>
@@ -76,9 +77,10 @@ double largest_cut_error(const Solution& s, const std::vector<double>& x_of_cuts
 TEST(StreamFunction, OfADamRangesOverItsDischargeAndIsTheFluxThroughCuts)
 {
   const Solution s = solved(rectangular_dam(16, 24, 4), {{1, 1, 0}});
-  EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
+  tests::expect_measured("S-8 range of psi", range(s), s.discharge, 1e-6 * s.discharge);
   // Fluxes of elements are first order, and cut elements at the free surface are half dry.
-  EXPECT_LT(largest_cut_error(s, {3.3, 8.1, 12.7}), 5e-3);
+  tests::expect_error("S-8 flux through cuts, largest error over q",
+                      largest_cut_error(s, {3.3, 8.1, 12.7}), 5e-3);
 }
 
 TEST(StreamFunction, OfAZonedAnisotropicDamRangesOverItsDischargeAndIsTheFluxThroughCuts)
@@ -91,8 +93,9 @@ TEST(StreamFunction, OfAZonedAnisotropicDamRangesOverItsDischargeAndIsTheFluxThr
   const Solution s = seepage::solve(section, {{1e-5, 2.5e-6, 0.3}, {1e-6, 1e-6, 0}},
                                     seepage::boundary_conditions(section, {}),
                                     {.element_size = 0.2, .tolerance = 2e-4}, observer);
-  EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
-  EXPECT_LT(largest_cut_error(s, {2.3, 5.1, 8.7}), 5e-3);
+  tests::expect_measured("S-8 range of psi", range(s), s.discharge, 1e-6 * s.discharge);
+  tests::expect_error("S-8 flux through cuts, largest error over q",
+                      largest_cut_error(s, {2.3, 5.1, 8.7}), 5e-3);
 }
 
 TEST(StreamFunction, OfKozenysDamIsTheImaginaryPartOfItsPotential)
@@ -100,19 +103,19 @@ TEST(StreamFunction, OfKozenysDamIsTheImaginaryPartOfItsPotential)
   // head + i psi / k = sqrt(2 (x + i y)), y0 = 1; the water runs to the left, psi grows downwards.
   const meshes::SectionInput input = tests::kozeny_dam();
   const Solution s = solved(input, {{1, 1, 0}}, {{BoundaryKind::head, 4}, {BoundaryKind::head, 0}});
-  EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
+  tests::expect_measured("S-8 range of psi", range(s), s.discharge, 1e-6 * s.discharge);
   double worst = 0;
   for (const auto& [x, y] : {std::pair{1.0, 0.5}, std::pair{2.0, 1.0}, std::pair{3.0, 0.2},
                              std::pair{5.0, 2.0}, std::pair{0.5, 1.0}, std::pair{-0.25, 0.0}})
     worst = std::max(worst, std::abs(psi_at(s, x, y) - (1 - std::sqrt(std::hypot(x, y) - x))));
-  EXPECT_LT(worst, 0.005);
+  tests::expect_error("S-8 psi at six points, largest error over q", worst, 0.005);
   // The free surface is a stream line, that of no water above it. Its end on the drain is a few
   // edges off, as the exit point; from the drain's tip on.
   double along = 0;
   for (const Vec2& x : s.phreatic_lines.front())
     if (x.x() > 0)
       along = std::max(along, std::abs(psi_at(s, x.x(), x.y())));
-  EXPECT_LT(along, 0.005);
+  tests::expect_error("S-8 psi along the free surface, largest over q", along, 0.005);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -133,7 +136,7 @@ Solution half_sheet_pile()
 TEST(StreamFunction, BehindASheetPileIsTheIntegralOfItsExactFlux)
 {
   const Solution s = half_sheet_pile();
-  EXPECT_NEAR(range(s), s.discharge, 1e-6 * s.discharge);
+  tests::expect_measured("S-8 range of psi", range(s), s.discharge, 1e-6 * s.discharge);
   const auto integral = [](double from, double to, auto f) // Simpson's rule
   {
     constexpr int steps = 200;
@@ -159,7 +162,8 @@ TEST(StreamFunction, BehindASheetPileIsTheIntegralOfItsExactFlux)
                                                 return ground_gradient /
                                                        std::sqrt(std::cos(pi * r / layer));
                                               })));
-  EXPECT_LT(worst, 5e-3 * 5); // as the discharge, 5 m2/s: the tip is a square-root singularity
+  tests::expect_error("S-8 psi at seven points, largest error [m2/s]", worst,
+                      5e-3 * 5); // as the discharge, 5 m2/s: the tip is a square-root singularity
 }
 } // namespace
 } // namespace berm

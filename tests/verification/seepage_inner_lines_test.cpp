@@ -2,6 +2,7 @@
 // Walls, drains and wells of no thickness inside the section: docs/verification.md S-14.
 #include "core/error.h"
 #include "meshes/mesher.h"
+#include "tests/support/measured.h"
 #include "tests/verification/seepage_cases.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,8 @@ TEST_P(SheetPileOfNoThickness, HasItsExactDischarge)
 {
   const auto [depth, discharge] = GetParam();
   const Solution s = solved_sheet_pile(depth * layer);
-  EXPECT_NEAR(s.discharge, drop * discharge, 3e-3 * drop * discharge);
+  tests::expect_measured("S-14 sheet pile: discharge / k [m]", s.discharge, drop * discharge,
+                         3e-3 * drop * discharge);
   EXPECT_LT(s.balance, 1e-8);
   EXPECT_EQ(inflow_of(sheet_pile(depth * layer), s, 2), 0);
 }
@@ -83,8 +85,10 @@ INSTANTIATE_TEST_SUITE_P(Depths, SheetPileOfNoThickness,
 TEST(SheetPileOfNoThickness, HasHalfTheDropBelowItsTipAndAStepAcross)
 {
   const Solution s = solved_sheet_pile(layer / 2);
-  EXPECT_LT(tests::largest_head_error(s, {{0, 2, layer + drop / 2}, {0, 7, layer + drop / 2}}),
-            2e-3 * drop); // half the drop by symmetry
+  tests::expect_error(
+      "S-14 sheet pile: heads below its tip, largest error [m]",
+      tests::largest_head_error(s, {{0, 2, layer + drop / 2}, {0, 7, layer + drop / 2}}),
+      2e-3 * drop); // half the drop by symmetry
   const double a = seepage::value_at(s, s.head, {-0.01, 15}, 0).value(),
                b = seepage::value_at(s, s.head, {0.01, 15}, 0).value();
   EXPECT_GT(a - b, 0.4 * drop);
@@ -150,13 +154,15 @@ TEST(LineOfGivenHead, TakesItsExactDischarge)
 {
   const Solution s = solved(confocal(), {head(datum + 6), head(datum)});
   const double exact = 2 * pi * 6 / rim;
-  EXPECT_NEAR(s.discharge, exact, 4e-3 * exact); // as above; the polygon takes 0.01 %
+  tests::expect_measured("S-14 line of given head: discharge / k [m]", s.discharge, exact,
+                         4e-3 * exact); // as above; the polygon takes 0.01 %
   EXPECT_NEAR(inflow_of(confocal(), s, 1), -s.discharge, 1e-8 * exact);
   EXPECT_LT(s.balance, 1e-8);
   const double xi = 0.75; // on the axes
-  EXPECT_LT(tests::largest_head_error(s, {{half_line * std::cosh(xi), 0, datum + 3},
-                                          {0, half_line * std::sinh(xi), datum + 3}}),
-            0.01 * 6);
+  tests::expect_error("S-14 line of given head: heads, largest error [m]",
+                      tests::largest_head_error(s, {{half_line * std::cosh(xi), 0, datum + 3},
+                                                    {0, half_line * std::sinh(xi), datum + 3}}),
+                      0.01 * 6);
   EXPECT_TRUE(s.stream_function.empty()); // psi grows by q with every turn
 }
 
@@ -201,7 +207,8 @@ TEST(FloatingWall, HasThePsiOfTheWaterThatPassesBelow)
         on_wall = s.stream_function[i];
       EXPECT_NEAR(s.stream_function[i], on_wall, 1e-9 * s.discharge);
     }
-  EXPECT_NEAR(on_wall, below, 5e-3 * s.discharge);
+  tests::expect_measured("S-14 floating wall: psi on it [m2/s]", on_wall, below,
+                         5e-3 * s.discharge);
 }
 
 TEST(FloatingWalls, EachHaveTheirOwnPsi)
@@ -290,7 +297,8 @@ TEST(ReliefDrain, DrawsTheFreeSurfaceDownAndTakesItsShareOfTheWater)
   // Each half is a rectangular dam of its own, without tailwater at the drain: Charny's exact
   // discharge H^2 / (2 L) each, here k = 1.
   const double left = 10. * 10 / (2 * 15), right = 2. * 2 / (2 * 15);
-  EXPECT_NEAR(s.discharge, left + right, 2e-3 * left);
+  tests::expect_measured("S-14 relief drain: discharge / k [m]", s.discharge, left + right,
+                         2e-3 * left);
   EXPECT_NEAR(inflow_of(input, s, 0), -(left + right), 2e-3 * left);
   EXPECT_LT(seepage::phreatic_level(s, 16).value(), before - 3);
   // The drain begins on the outline: one line round the section, psi has one value.
@@ -305,7 +313,7 @@ TEST(WellScreen, AboveItsLevelIsASeepageFace)
   input.marked_lines = {{{15, 0}, {15, 11}}};
   const Solution s = tests::solved(input, {{1, 1, 0}}, {head(3)});
   const double exact = 2 * (10. * 10 - 3 * 3) / (2 * 15);
-  EXPECT_NEAR(s.discharge, exact, 2e-3 * exact);
+  tests::expect_measured("S-14 well screen: discharge / k [m]", s.discharge, exact, 2e-3 * exact);
 }
 } // namespace
 } // namespace berm

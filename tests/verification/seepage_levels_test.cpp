@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No water, water everywhere, and water over the crest: docs/verification.md S-12.
+#include "tests/support/measured.h"
 #include "tests/unit/meshes/sections.h"
 #include "tests/verification/seepage_cases.h"
 
@@ -57,7 +58,8 @@ TEST(PoolUpToTheCrest, IsTheLimitOfPoolsBelowIt)
 {
   const double at = tests::solved(embankment(28.6, std::nullopt), {{1, 1, 0}}).discharge,
                below = tests::solved(embankment(28.59, std::nullopt), {{1, 1, 0}}).discharge;
-  EXPECT_NEAR(at, below, 5e-3 * at); // 1 cm of 21 m, squared, and two meshes
+  tests::expect_measured("S-12 pool up to the crest: discharge / k [m]", at, below,
+                         5e-3 * at); // 1 cm of 21 m, squared, and two meshes
 }
 
 // A film on a slope over soil that drains freely at its base: h = y everywhere, so the soil takes k
@@ -74,8 +76,9 @@ TEST(Overflow, OnFreelyDrainedSoilSinksWithUnitGradient)
                                    {{BoundaryKind::impervious, 0},
                                     {BoundaryKind::impervious, 0},
                                     {BoundaryKind::seepage_face, 0}});
-  EXPECT_NEAR(s.discharge, 20, 1e-3 * 20);
-  EXPECT_LT(tests::largest_head_error(s, {{5, 4, 4}, {10, 2, 2}, {15, 3, 3}}), 1e-3);
+  tests::expect_measured("S-12 film on a slope: discharge / k [m]", s.discharge, 20, 1e-3 * 20);
+  tests::expect_error("S-12 film on a slope: heads, largest error [m]",
+                      tests::largest_head_error(s, {{5, 4, 4}, {10, 2, 2}, {15, 3, 3}}), 1e-3);
 }
 
 TEST(Overflow, HasADischargeThatConvergesWithTheMesh)
@@ -97,8 +100,9 @@ TEST(Overflow, IsBalancedMirroredAndWithinItsHeads)
   const Solution a = tests::solved(input, {{1, 1, 0}}),
                  b = tests::solved(tests::mirrored(input), {{1, 1, 0}});
   EXPECT_LT(a.balance, 1e-8);
-  EXPECT_NEAR(a.discharge, b.discharge, 5e-3 * a.discharge); // meshes are not mirrored
-  for (const double head : a.head)                           // maximum principle
+  tests::expect_measured("S-12 overtopped embankment: discharge / k, mirrored [m]", a.discharge,
+                         b.discharge, 5e-3 * a.discharge); // meshes are not mirrored
+  for (const double head : a.head)                         // maximum principle
   {
     EXPECT_LE(head, 31 + 1e-9);
     EXPECT_GE(head, 10 - 1e-9);

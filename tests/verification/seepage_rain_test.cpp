@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rain, what of it enters and what runs off: docs/verification.md S-11.
+#include "tests/support/measured.h"
 #include "tests/unit/meshes/sections.h"
 #include "tests/verification/seepage_cases.h"
 
@@ -69,8 +70,11 @@ TEST_P(Strip, GivesEachDitchItsExactShare)
   EXPECT_NEAR(s.rain, rain * length, 1e-12);
   const double divide = length / 2 - (left * left - right * right) / (2 * rain * length);
   // The free surface is smoothed over half an edge of a 240th of the height: 0.2 %.
-  EXPECT_NEAR(inflow_of(input, s, "marked_1"), -rain * divide, 2e-3 * rain * length);
-  EXPECT_NEAR(inflow_of(input, s, "marked_2"), -rain * (length - divide), 2e-3 * rain * length);
+  tests::expect_measured("S-11 strip: share of the left ditch [m2/s]",
+                         inflow_of(input, s, "marked_1"), -rain * divide, 2e-3 * rain * length);
+  tests::expect_measured("S-11 strip: share of the right ditch [m2/s]",
+                         inflow_of(input, s, "marked_2"), -rain * (length - divide),
+                         2e-3 * rain * length);
   EXPECT_NEAR(s.discharge, rain * length, 1e-7 * rain * length); // all of it enters
   EXPECT_LT(total(s.stretch_runoff), 1e-7 * rain * length);
 }
@@ -94,7 +98,7 @@ TEST_P(Column, TakesWhatItsConductivityAllowsAndNoMore)
   input.marked_lines = {{{0, 0}, {width, 0}}};
   const Solution s = rained_on(input, rain, k, {{BoundaryKind::seepage_face, 0}});
   const double intake = std::min(rain, k) * width;
-  EXPECT_NEAR(s.discharge, intake, 1e-6 * intake);
+  tests::expect_measured("S-11 column: intake [m2/s]", s.discharge, intake, 1e-6 * intake);
   EXPECT_NEAR(total(s.stretch_runoff), rain * width - intake, 1e-6 * rain * width);
   // Unit gradient, no water table. The suction of percolating rain is a share of eps (2.33), which
   // changes from element to element: p overshoots between large and small ones, by a twentieth of
@@ -158,7 +162,8 @@ TEST(RainAndPool, OnAMirroredEmbankmentAreMirrored)
   input.left_pool_level = 15;
   const Solution a = rained_on(input, 0.02), b = rained_on(tests::mirrored(input), 0.02);
   // Meshes are not mirrored: what remains is their error.
-  EXPECT_NEAR(a.discharge, b.discharge, 5e-3 * a.discharge);
+  tests::expect_measured("S-11 rain and pool: discharge / k, mirrored [m]", a.discharge,
+                         b.discharge, 5e-3 * a.discharge);
   EXPECT_NEAR(inflow_of(input, a, "left_pool"), inflow_of(tests::mirrored(input), b, "right_pool"),
               5e-3 * a.discharge);
 }

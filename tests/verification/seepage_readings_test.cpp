@@ -3,6 +3,7 @@
 #include "seepage/exit_gradient.h"
 #include "seepage/heave.h"
 #include "seepage/line_reading.h"
+#include "tests/support/measured.h"
 #include "tests/support/sections.h"
 #include "tests/verification/seepage_cases.h"
 
@@ -77,7 +78,9 @@ TEST(SheetPileReadings, ExitGradientIsExactAtTheWallAndBesideIt)
   const Outlet& ground = flow.outlets[0];
   for (const auto& [x, gradient] :
        {std::pair{0.0, 0.29954}, std::pair{5.0, 0.26026}, std::pair{10.0, 0.18910}})
-    EXPECT_NEAR(normal_gradient(ground, x), gradient, 0.01 * gradient) << x; // half of the promise
+    tests::expect_measured(fmt::format("S-13 sheet pile: exit gradient at {} m", x),
+                           normal_gradient(ground, x), gradient,
+                           0.01 * gradient); // half of the promise
   ASSERT_TRUE(ground.steepest);
   EXPECT_LT(ground.points[*ground.steepest].at.x(), 1); // it is flat there, down by 0.6 %
   EXPECT_NEAR(ground.outflow, flow.solution.outflow, 1e-9 * flow.solution.outflow);
@@ -89,8 +92,10 @@ TEST(SheetPileReadings, HeaveIsWorstForTheColumnBesideTheWall)
 {
   const seepage::Heave heave = sheet_pile().heave();
   ASSERT_TRUE(heave.surface && heave.column);
-  EXPECT_NEAR(heave.surface->factor, critical / 0.29954, 0.01 * critical / 0.29954);
-  EXPECT_NEAR(heave.column->factor, critical * (layer / 2) / (drop / 2), 1e-9);
+  tests::expect_measured("S-13 sheet pile: factor against heave, surface", heave.surface->factor,
+                         critical / 0.29954, 0.01 * critical / 0.29954);
+  tests::expect_measured("S-13 sheet pile: factor against heave, column", heave.column->factor,
+                         critical * (layer / 2) / (drop / 2), 1e-9);
   EXPECT_NEAR(heave.column->depth, layer / 2, 1e-9);
   EXPECT_NEAR(heave.column->at.x(), 0, 1e-9);
   EXPECT_EQ(*heave.factor(), heave.column->factor);
@@ -156,8 +161,10 @@ TEST(FlatBottomedDamReadings, UpliftAndItsPlaceAreExact)
   }
   const double exact = water_unit_weight * drop / 2 * 2 * half_width;
   EXPECT_NEAR(uplift.force.x(), 0, 1e-6 * exact);
-  EXPECT_NEAR(uplift.force.y(), exact, 1e-3 * exact); // a tenth of the drop's error in the heads
-  EXPECT_NEAR(uplift.distance, moment / sum, 0.02);   // 0.1 % of the base
+  tests::expect_measured("S-13 flat-bottomed dam: uplift [N/m]", uplift.force.y(), exact,
+                         1e-3 * exact); // a tenth of the drop's error in the heads
+  tests::expect_measured("S-13 flat-bottomed dam: place of the uplift [m]", uplift.distance,
+                         moment / sum, 0.02); // 0.1 % of the base
   EXPECT_NEAR(uplift.moment, uplift.distance * uplift.force.y(), 1e-6 * exact);
 }
 
@@ -167,12 +174,14 @@ TEST(FlatBottomedDamReadings, DischargeThroughALineIsThatUnderTheDam)
   const seepage::LineReading line = flow.line({{0, 0}, {0, layer}});
   EXPECT_TRUE(line.by_stream_function);
   EXPECT_NEAR(line.discharge, -flow.solution.discharge, 1e-9); // to the right of a line upwards
-  EXPECT_NEAR(line.discharge, -5.33180, 5e-3 * 5.33180);
+  tests::expect_measured("S-13 discharge through a line / k [m]", line.discharge, -5.33180,
+                         5e-3 * 5.33180);
   Flow without = flow;
   without.solution.stream_function.clear();
   const seepage::LineReading by_flux = without.line({{0, 0}, {0, layer}});
   EXPECT_FALSE(by_flux.by_stream_function);
-  EXPECT_NEAR(by_flux.discharge, -5.33180, 0.02 * 5.33180); // flux of linear elements
+  tests::expect_measured("S-13 discharge through a line by the flux / k [m]", by_flux.discharge,
+                         -5.33180, 0.02 * 5.33180); // flux of linear elements
 }
 
 // The gradient has no bound at the edge of the base; 0.4 m, a fiftieth of the layer, away from it
@@ -183,14 +192,16 @@ TEST(FlatBottomedDamReadings, ExitGradientIsExactAwayFromTheEdgeOfTheBase)
   ASSERT_EQ(flow.outlets.size(), 1u);
   const Outlet& ground = flow.outlets[0];
   for (const double x : {11.0, 12.0, 15.0, 20.0, 30.0})
-    EXPECT_NEAR(normal_gradient(ground, x), exact_gradient(x), 0.02 * exact_gradient(x)) << x;
+    tests::expect_measured(fmt::format("S-13 flat-bottomed dam: exit gradient at {} m", x),
+                           normal_gradient(ground, x), exact_gradient(x), 0.02 * exact_gradient(x));
   for (const ExitPoint& p : ground.points)
     EXPECT_EQ(p.beside_singularity.has_value(), p.at.x() < half_width + 0.4 - 1e-9);
   ASSERT_TRUE(ground.steepest);
   const ExitPoint& steepest = ground.points[*ground.steepest];
   EXPECT_NEAR(steepest.at.x(), half_width + 0.4, 1e-9);
   // Five edges from where the gradient is r^(-1/2).
-  EXPECT_NEAR(steepest.normal, exact_gradient(10.4), 0.04 * exact_gradient(10.4));
+  tests::expect_measured("S-13 flat-bottomed dam: largest exit gradient that counts",
+                         steepest.normal, exact_gradient(10.4), 0.04 * exact_gradient(10.4));
 }
 
 //------------------------------------------------------------------------------------------------
@@ -209,8 +220,8 @@ TEST(KozenyReadings, GradientIntoTheDrainIsExact)
     if (!p.beside_singularity && p.at.x() < 0 && p.at.x() > -0.25)
     {
       const double exact = 1 / std::sqrt(-2 * p.at.x());
-      EXPECT_NEAR(p.normal, exact, 0.05 * exact)
-          << p.at.x(); // edges of 0.02 m, 0.09 m and more from the tip
+      tests::expect_measured("S-13 Kozeny's drain: gradient into it", p.normal, exact,
+                             0.05 * exact); // edges of 0.02 m, 0.09 m and more from the tip
       EXPECT_NEAR(p.upward, -p.normal, 1e-12);
       EXPECT_FALSE(p.faces_up);
     }
@@ -228,10 +239,12 @@ TEST(EmbankmentReadings, AllWaterPassesBelowTheCrestAndOutOfTheFace)
   const Flow flow(input, {});
   const double q = flow.solution.discharge;
   // Dry soil passes a share of 1e-5 at most; 0.1 % for the triangles that the free surface cuts.
-  EXPECT_NEAR(flow.line({{103, 0}, {103, 28.6}}).discharge, -q, 1e-3 * q);
+  tests::expect_measured("S-13 embankment: discharge below the crest [m2/s]",
+                         flow.line({{103, 0}, {103, 28.6}}).discharge, -q, 1e-3 * q);
   ASSERT_EQ(flow.outlets.size(), 1u);
   const Outlet& face = flow.outlets[0];
-  EXPECT_NEAR(face.outflow, q, 1e-3 * q);
+  tests::expect_measured("S-13 embankment: discharge out of the face [m2/s]", face.outflow, q,
+                         1e-3 * q);
   EXPECT_NEAR(face.points.back().at.y(), flow.solution.exit_point->y(), 0.2);
   // On the slope the head falls as the ground does: that along the normal and down the slope make
   // the upward one.

@@ -4,6 +4,7 @@
 #include "case_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,6 +79,8 @@ std::string sound_value(const Key& key)
     return it->second;
   if (key.type == ValueType::choice)
     return fmt::format("\"{}\"", key.choices.front());
+  if (key.type == ValueType::choice_list)
+    return fmt::format("[\"{}\"]", fmt::join(key.choices, "\", \""));
   return key.type == ValueType::boolean ? "true" : "";
 }
 
@@ -167,7 +170,7 @@ void expect_mistake(const Key& key, const std::string& value)
 bool holds_numbers(const Key& key)
 {
   return key.type != ValueType::text && key.type != ValueType::choice &&
-         key.type != ValueType::boolean;
+         key.type != ValueType::choice_list && key.type != ValueType::boolean;
 }
 
 /// A value of the key's form with `number` in it.
@@ -206,7 +209,8 @@ TEST(CaseSchema, EveryKeyHasASoundValueHere)
     EXPECT_TRUE(paths.insert(key.path).second) << key.path << " is declared twice";
     EXPECT_TRUE(key.sentence.ends_with(".")) << key.path;
     EXPECT_EQ(key.presence == Presence::required, key.otherwise.empty()) << key.path;
-    EXPECT_EQ(key.type == ValueType::choice, !key.choices.empty()) << key.path;
+    const bool chosen = key.type == ValueType::choice || key.type == ValueType::choice_list;
+    EXPECT_EQ(chosen, !key.choices.empty()) << key.path;
   }
   for (const auto& [path, value] : sound_values)
     EXPECT_TRUE(paths.contains(path)) << path << " is not a key any more";
@@ -273,6 +277,14 @@ TEST(CaseSchema, AWrongChoiceIsReportedWithTheNearestOne)
       ASSERT_NE(mistake, nullptr) << key.path;
       EXPECT_EQ(mistake->hint, fmt::format("did you mean \"{}\"?", choice));
     }
+}
+
+TEST(CaseSchema, AListOfChoicesHoldsKnownOnesOnce)
+{
+  for (const Key& key : keys())
+    if (key.type == ValueType::choice_list)
+      for (const char* list : {"[\"{0}\", \"{0}\"]", "[\"{0}\", \"{0}x\"]", "[\"{0}\", 1]"})
+        expect_mistake(key, fmt::format(fmt::runtime(list), key.choices.front()));
 }
 
 TEST(CaseSchema, ARequiredKeyThatIsMissingIsReported)

@@ -5,6 +5,7 @@
 /// circles beside them.
 #include "app/case_file.h"
 #include "coupling/analysis.h"
+#include "tests/support/measured.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +49,7 @@ void expect_factor(const coupling::Analysis& a, double expected, double toleranc
   const auto& stability = a.stability.value();
   const auto& F = stability.governing().F;
   ASSERT_TRUE(F.complete) << F.reason;
-  EXPECT_NEAR(*F.factor(), expected, tolerance);
+  tests::expect_measured("F-1 factor of safety", *F.factor(), expected, tolerance);
   EXPECT_LE(*F.fails - *F.stands, 0.02);
   for (const sph::Trial& trial : F.trials)
     EXPECT_NE(trial.outcome, sph::Outcome::undecided) << "F = " << trial.factor;

@@ -2,6 +2,7 @@
 /// Claim L-1 of docs/verification.md: critical circles against published and independently computed
 /// Bishop and Spencer factors, within 0.5 %, the agreement between published programs.
 #include "coupling/limit_equilibrium.h"
+#include "tests/support/measured.h"
 #include "tests/support/sections.h"
 
 #include <gtest/gtest.h>
@@ -97,11 +98,13 @@ TEST_P(LimitEquilibrium, FindsThePublishedFactor)
 {
   const auto circle = solve(GetParam());
   ASSERT_TRUE(circle.has_value());
-  EXPECT_NEAR(circle->bishop / GetParam().bishop, 1, 0.005);
+  tests::expect_measured("L-1 Bishop", circle->bishop, GetParam().bishop,
+                         0.005 * GetParam().bishop);
   if (GetParam().spencer > 0)
   {
     ASSERT_TRUE(circle->spencer.has_value());
-    EXPECT_NEAR(*circle->spencer / GetParam().spencer, 1, 0.005);
+    tests::expect_measured("L-1 Spencer", *circle->spencer, GetParam().spencer,
+                           0.005 * GetParam().spencer);
   }
 }
 
@@ -119,7 +122,7 @@ TEST(LimitEquilibriumInvariance, TheDepthOfThePoolDoesNotMatter)
       const auto deep = solve(row);
       ASSERT_TRUE(shallow && deep);
       ASSERT_TRUE(shallow->spencer && deep->spencer);
-      EXPECT_NEAR(deep->bishop / shallow->bishop, 1, 1e-9); // rounding
+      EXPECT_NEAR(deep->bishop / shallow->bishop, 1, 1e-9);     // rounding
       EXPECT_NEAR(*deep->spencer / *shallow->spencer, 1, 1e-7); // its iteration's tolerance
     }
 }
@@ -151,8 +154,9 @@ TEST(LimitEquilibriumInRegions, HeldSoilKeepsItsStrengthOnACircle)
   region.x_left = x_held;
   const auto found = evaluate_circle({section, soils, dry, &region}, centre, radius, true, 200);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->bishop, (1 - held) / (1 / free->bishop - held),
-              2e-3);             // one slice more or less
+  tests::expect_measured("F-8 Bishop with part of a circle held", found->bishop,
+                         (1 - held) / (1 / free->bishop - held),
+                         2e-3);  // one slice more or less
   region.x_left = free->x_right; // all of it is held: with F > 1 it stands whatever the factor
   EXPECT_FALSE(evaluate_circle({section, soils, dry, &region}, centre, radius, true, 200));
 }
