@@ -494,9 +494,9 @@ std::string read_case_text(const std::string& path)
   return text;
 }
 
-coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
+coupling::Case parse_case(const std::string& text, const std::string& path,
+                          const ReadOptions& options, KeyPlaces& places)
 {
-  const std::string text = read_case_text(path);
   TomlValue document = parse_toml(text, path, places);
   std::vector<Mistake> mistakes = apply_overrides(document, options.overrides, places);
   const CheckedValues values = check_values(document, places, mistakes);
@@ -509,5 +509,10 @@ coupling::Case read_case(const std::string& path, const ReadOptions& options, Ke
   input.text = text;
   input.overrides = options.overrides;
   return input;
+}
+
+coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
+{
+  return parse_case(read_case_text(path), path, options, places);
 }
 } // namespace berm::app
