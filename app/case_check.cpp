@@ -15,6 +15,7 @@ namespace berm::app
 namespace
 {
 constexpr std::size_t most_points = 5000;
+constexpr std::size_t most_points_in_all = 10000;
 constexpr std::size_t most_tables = 1000; // of one kind
 constexpr std::size_t most_text = 200;    // characters
 
@@ -314,7 +315,11 @@ private:
   void check_leaf(const Key& key, const TomlValue& value, const std::string& path)
   {
     CheckedValues::Value checked;
-    const std::string problem = value_problem(value, key, checked);
+    std::string problem = value_problem(value, key, checked);
+    if (const auto* points = std::get_if<Polyline>(&checked))
+      points_ += points->size();
+    if (problem.empty() && points_ > most_points_in_all)
+      problem = fmt::format("the case has more than {} points in all", most_points_in_all);
     if (problem.empty())
     {
       values.set(path, std::move(checked));
@@ -388,6 +393,7 @@ private:
 
   KeyPlaces& places_;
   std::vector<Mistake>& mistakes_;
+  std::size_t points_ = 0; ///< of all lines so far
 };
 } // namespace
 

@@ -474,7 +474,7 @@ private:
 
 std::string read_case_text(const std::string& path)
 {
-  constexpr std::size_t most = 16'000'000; // bytes; a case has thousands
+  constexpr std::size_t most = 2'000'000; // bytes; a case has thousands
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw IoError(path + ": is a directory, not a case file");
@@ -487,7 +487,7 @@ std::string read_case_text(const std::string& path)
   {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > most)
-      throw IoError(path + ": is larger than 16 MB; not a case file");
+      throw IoError(path + ": is larger than 2 MB; not a case file");
   }
   if (file.bad())
     throw IoError(path + ": cannot be read");

@@ -226,11 +226,12 @@ private:
   }
 
   /// Edges that two areas run through in opposite directions are inside both together.
-  static void merge(std::set<Edge>& border, const std::set<Edge>& more)
+  void merge(std::set<Edge>& border, const std::set<Edge>& more) const
   {
     for (const auto& [from, to] : more)
-      if (border.erase({to, from}) == 0)
-        border.insert({from, to});
+      if (border.erase({to, from}) == 0 && !border.insert({from, to}).second)
+        refuse(path_, fmt::format("areas lie on each other at {}", text(at_.at(from))),
+               "surfaces without overlaps", "");
   }
 
   /// Closed chains of edges, the area on their left, without needless points.
