@@ -180,6 +180,17 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
   return "of a kind that nothing checks";
 }
 
+std::size_t points_in(const CheckedValues::Value& value)
+{
+  if (const auto* line = std::get_if<Polyline>(&value))
+    return line->size();
+  std::size_t sum = 0;
+  if (const auto* polygons = std::get_if<std::vector<Polyline>>(&value))
+    for (const Polyline& polygon : *polygons)
+      sum += polygon.size();
+  return sum;
+}
+
 bool is_name(std::string_view name)
 {
   return !name.empty() && name.size() <= 64 &&
@@ -316,10 +327,12 @@ private:
   {
     CheckedValues::Value checked;
     std::string problem = value_problem(value, key, checked);
-    if (const auto* points = std::get_if<Polyline>(&checked))
-      points_ += points->size();
-    if (problem.empty() && points_ > most_points_in_all)
-      problem = fmt::format("the case has more than {} points in all", most_points_in_all);
+    if (const std::size_t points = points_in(checked); problem.empty() && points > 0)
+    {
+      points_ += points;
+      if (points_ > most_points_in_all)
+        problem = fmt::format("the case has more than {} points in all", most_points_in_all);
+    }
     if (problem.empty())
     {
       values.set(path, std::move(checked));

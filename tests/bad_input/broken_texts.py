@@ -44,6 +44,9 @@ SYNTAX = [
     raw("a key twice", DRY.replace(A, A + "\n" + A), "case.toml:10"),
     raw("a table twice", DRY + "[water]\nleft_level_m = 1\n", "case.toml:15"),
     raw("a table and a key of one name", DRY + "[soil.fill.cohesion_kPa]\n", "case.toml:15"),
+    raw("quotes behind a digit, letters with accents in them", 'format = 1\ntitle =0"Bö]chung 堤"\n',
+        "case.toml:2:9", "quotes where no text can begin"),
+    raw("two texts side by side", DRY.replace('"sound"', '"sound""Böschung"'), "case.toml:2"),
     raw("YAML", "format: 1\nsection:\n  base_m: 0\n", "case.toml:1"),
     raw("JSON", '{"format": 1, "section": {}}\n', "case.toml:1"),
     raw("a 2.1 MB file", DRY.encode() + b"# longer\n" * 240_000, "case.toml", "2 MB", code=4,
@@ -175,6 +178,7 @@ SETTINGS = [
     given("--set of a whole table", "soil=3", "--set soil=3", "not a table"),
     given("--set of a list that ends early", "section.ground_m=[[0,", "not a list of points"),
     given("--set of 10 000 brackets", "title=" + "[" * 10000, "--set title=[[["),
+    given("--set of quotes behind a word", 'sph.spacing_m=to"seepʚ;age"', "not a number"),
     given("--set with a new line", "title=a\nb", "--set title=a?b", "more than one line"),
     given("--set of a second value in the value", "title='a'\nformat=7", "--set title="),
 ]
