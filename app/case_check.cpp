@@ -15,6 +15,7 @@ namespace berm::app
 namespace
 {
 constexpr std::size_t most_points = 5000;
+constexpr std::size_t most_points_in_all = 10000;
 constexpr std::size_t most_tables = 1000; // of one kind
 constexpr std::size_t most_text = 200;    // characters
 
@@ -200,6 +201,17 @@ std::string value_problem(const TomlValue& value, const Key& key, CheckedValues:
   return "of a kind that nothing checks";
 }
 
+std::size_t points_in(const CheckedValues::Value& value)
+{
+  if (const auto* line = std::get_if<Polyline>(&value))
+    return line->size();
+  std::size_t sum = 0;
+  if (const auto* polygons = std::get_if<std::vector<Polyline>>(&value))
+    for (const Polyline& polygon : *polygons)
+      sum += polygon.size();
+  return sum;
+}
+
 bool is_name(std::string_view name)
 {
   return !name.empty() && name.size() <= 64 &&
@@ -335,7 +347,13 @@ private:
   void check_leaf(const Key& key, const TomlValue& value, const std::string& path)
   {
     CheckedValues::Value checked;
-    const std::string problem = value_problem(value, key, checked);
+    std::string problem = value_problem(value, key, checked);
+    if (const std::size_t points = points_in(checked); problem.empty() && points > 0)
+    {
+      points_ += points;
+      if (points_ > most_points_in_all)
+        problem = fmt::format("the case has more than {} points in all", most_points_in_all);
+    }
     if (problem.empty())
     {
       values.set(path, std::move(checked));
@@ -409,6 +427,7 @@ private:
 
   KeyPlaces& places_;
   std::vector<Mistake>& mistakes_;
+  std::size_t points_ = 0; ///< of all lines so far
 };
 } // namespace
 

@@ -476,7 +476,7 @@ private:
 
 std::string read_case_text(const std::string& path)
 {
-  constexpr std::size_t most = 16'000'000; // bytes; a case has thousands
+  constexpr std::size_t most = 2'000'000; // bytes; a case has thousands
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw IoError(path + ": is a directory, not a case file");
@@ -489,16 +489,16 @@ std::string read_case_text(const std::string& path)
   {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > most)
-      throw IoError(path + ": is larger than 16 MB; not a case file");
+      throw IoError(path + ": is larger than 2 MB; not a case file");
   }
   if (file.bad())
     throw IoError(path + ": cannot be read");
   return text;
 }
 
-coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
+coupling::Case parse_case(const std::string& text, const std::string& path,
+                          const ReadOptions& options, KeyPlaces& places)
 {
-  const std::string text = read_case_text(path);
   TomlValue document = parse_toml(text, path, places);
   std::vector<Mistake> mistakes = apply_overrides(document, options.overrides, places);
   const CheckedValues values = check_values(document, places, mistakes);
@@ -511,5 +511,10 @@ coupling::Case read_case(const std::string& path, const ReadOptions& options, Ke
   input.text = text;
   input.overrides = options.overrides;
   return input;
+}
+
+coupling::Case read_case(const std::string& path, const ReadOptions& options, KeyPlaces& places)
+{
+  return parse_case(read_case_text(path), path, options, places);
 }
 } // namespace berm::app

@@ -20,6 +20,11 @@ struct ReadOptions
 /// @throws IoError if it cannot be read, or is far too large for one.
 [[nodiscard]] std::string read_case_text(const std::string& path);
 
+/// @brief The case in a text, as `read_case`; `path` is what the messages call it.
+/// @throws InputError with every mistake that was found.
+[[nodiscard]] coupling::Case parse_case(const std::string& text, const std::string& path,
+                                        const ReadOptions& options, KeyPlaces& places);
+
 /// @brief Read and check a case file; SI and radians from here on.
 /// @param[in]  path    The file; "cases/dam.toml".
 /// @param[out] places  Place of every key, for the messages of this and of later stages.

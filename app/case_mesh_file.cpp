@@ -14,7 +14,23 @@ namespace berm::app
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 constexpr const char* key = "section.mesh_file";
+
+/// Whether a relative path ends outside the folder, by its dots or by links. A case from elsewhere
+/// must not reach for what lies around it.
+bool leads_out(const fs::path& path, const fs::path& folder)
+{
+  const auto goes_up = [](const fs::path& p)
+  { return !p.empty() && p.lexically_normal().begin()->string() == ".."; };
+  if (path.is_absolute())
+    return false;
+  std::error_code error; // what is not there is told later
+  const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
+  const fs::path end = error ? fs::path() : fs::canonical(root / path, error);
+  return goes_up(path) || (!error && goes_up(end.lexically_relative(root)));
+}
 
 #ifdef BERM_WITH_SEEPAGE
 /// Soil of each region; names that are no soil's are reported.
@@ -51,17 +67,16 @@ std::map<std::string, Polyline> read_section(const std::string& file,
                         .allowed = allowed,
                         .hint = hint});
   };
-  const std::filesystem::path path(file);
-  const bool leads_out = path.is_relative() && path.lexically_normal().begin()->string() == "..";
+  const fs::path path(file);
   if (path.extension() != ".geo" && path.extension() != ".msh")
     add("no file that berm reads", "a .geo or .msh of gmsh", "");
-  else if (leads_out)
+  else if (leads_out(path, folder))
     add("leads out of the case file's folder", "a path within it, or an absolute one", "");
   else
   {
 #ifdef BERM_WITH_SEEPAGE
-    const std::filesystem::path full = path.is_absolute() ? path : folder / path;
-    if (!std::filesystem::is_regular_file(full))
+    const fs::path full = path.is_absolute() ? path : folder / path;
+    if (std::error_code error; !fs::is_regular_file(full, error))
     {
       add("there is no such file", "", full.c_str());
       return curves;

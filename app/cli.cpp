@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli.h"
 
+#include "app/case_doubts.h"
 #include "app/case_file.h"
 #include "app/case_schema.h"
 #include "app/case_templates.h"
@@ -130,7 +131,11 @@ int run_case(const RunOptions& given, KeyPlaces& places)
   (void)team.any(false); // the others write there, too
   FrameFiles frames(checkpoint.frames());
   Console console = console_of(options, speaks);
+  for (const std::string& doubt : doubts(input))
+    console.warn(doubt);
   const coupling::Analysis analysis = coupling::analyse(input, console, frames, checkpoint, team);
+  if (const std::string doubt = doubt_of(analysis); !doubt.empty())
+    console.warn(doubt);
   if (!speaks)
     return complete(input, analysis) ? exit_ok : exit_no_answer;
 
@@ -194,7 +199,8 @@ int compare_case(RunOptions options, KeyPlaces& places)
 
 int report_directory(const std::string& directory)
 {
-  write_report(directory);
+  constexpr bool foreign = true;
+  write_report(directory, foreign);
   std::cout << "Report in " << (std::filesystem::path(directory) / "report.html").string() << "\n";
   return exit_ok;
 }
@@ -202,8 +208,10 @@ int report_directory(const std::string& directory)
 int check_case(const RunOptions& options, KeyPlaces& places)
 {
   const coupling::Case input = read_case(options.case_path, options.read, places);
-  std::cout << summary(input, meshes::build_section(input.section)) << "\n"
-            << options.case_path << ": no mistakes\n";
+  std::cout << summary(input, meshes::build_section(input.section));
+  for (const std::string& doubt : doubts(input))
+    std::cout << "  warning           " << doubt << "\n";
+  std::cout << "\n" << options.case_path << ": no mistakes\n";
   return exit_ok;
 }
 

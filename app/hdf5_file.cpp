@@ -179,6 +179,9 @@ std::vector<double> Hdf5Reader::values(const std::string& path) const
   const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space(set.ok() ? H5Dget_space(set.id()) : -1, H5Sclose);
   const hssize_t count = space.ok() ? H5Sget_simple_extent_npoints(space.id()) : -1;
+  // What berm writes is neither compressed nor left out: a set takes four bytes a value or more.
+  if (count > 0 && H5Dget_storage_size(set.id()) / 4 < static_cast<hsize_t>(count))
+    fail("data set " + path + " is not as berm writes it");
   std::vector<double> values(count > 0 ? static_cast<std::size_t>(count) : 0);
   if (count < 0 || (count > 0 && H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                          values.data()) < 0))

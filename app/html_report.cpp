@@ -78,16 +78,17 @@ std::string report_page(const Json& data)
   return page;
 }
 
-void write_report(const std::filesystem::path& directory)
+void write_report(const std::filesystem::path& directory, bool foreign)
 {
   if (!report_built_in())
     throw IoError("no report: berm was built without its page (BERM_WITH_REPORT)");
-  Json data = report_data(directory);
+  Json data = foreign ? foreign_report_data(directory) : report_data(directory);
   data["version"] = version_text();
   write_aside(directory / "report.html", report_page(data));
   if (data["kind"] == "comparison")
     for (const Json& water : data["comparison"]["waters"])
       write_report(directory /
-                   std::filesystem::path(water.at("directory").get<std::string>()).filename());
+                       std::filesystem::path(water.at("directory").get<std::string>()).filename(),
+                   foreign);
 }
 } // namespace berm::app

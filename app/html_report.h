@@ -17,6 +17,7 @@ namespace berm::app
 
 /// @brief Write report.html into a directory of results; for a comparison, into those of its runs
 /// as well.
+/// @param[in] foreign  Whether the directory may come from anywhere (foreign_report_data).
 /// @throws as report_data; IoError if it cannot be written, or if the build is without the page.
-void write_report(const std::filesystem::path& directory);
+void write_report(const std::filesystem::path& directory, bool foreign = false);
 } // namespace berm::app

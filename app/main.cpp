@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 namespace
@@ -43,6 +44,10 @@ int main(int argc, char** argv)
     return fail(berm::app::exit_no_answer, "not a number: ", e.what());
   }
   catch (const berm::IoError& e)
+  {
+    return fail(berm::app::exit_files, "", e.what());
+  }
+  catch (const std::filesystem::filesystem_error& e)
   {
     return fail(berm::app::exit_files, "", e.what());
   }

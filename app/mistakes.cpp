@@ -90,9 +90,12 @@ std::string describe(const std::vector<Mistake>& mistakes, const KeyPlaces& plac
   }
   std::stable_sort(texts.begin(), texts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  constexpr std::size_t most = 200; // to print
   std::string all;
-  for (const auto& [order, text] : texts)
-    all += text;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i)
+    all += texts[i].second;
+  if (texts.size() > most)
+    all += fmt::format("... and {} more\n", texts.size() - most);
   return all + fmt::format("{} {}; {}.\n", texts.size(), texts.size() == 1 ? "mistake" : "mistakes",
                            places.run_began ? "the run was given up" : "nothing was run");
 }

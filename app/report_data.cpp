@@ -5,6 +5,7 @@
 #include "app/packed_array.h"
 #include "app/text_file.h"
 #include "core/error.h"
+#include "core/sandbox.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +59,8 @@ std::vector<std::uint32_t> whole(const std::vector<double>& values)
 {
   std::vector<std::uint32_t> numbers(values.size());
   std::ranges::transform(values, numbers.begin(),
-                         [](double v) { return static_cast<std::uint32_t>(v); });
+                         [](double v)
+                         { return v >= 0 && v < 4e9 ? static_cast<std::uint32_t>(v) : 0; });
   return numbers;
 }
 
@@ -206,9 +208,7 @@ Json study_data(const fs::path& directory)
   data["case"] = case_data(directory);
   return data;
 }
-} // namespace
-
-Json report_data(const fs::path& directory)
+Json data_of(const fs::path& directory)
 {
   std::error_code none;
   if (!fs::is_directory(directory, none))
@@ -222,5 +222,39 @@ Json report_data(const fs::path& directory)
     return run_data(directory);
   refuse(directory, "holds neither result.json nor comparison.json nor study.json",
          "give the directory that `berm run --out` named");
+}
+} // namespace
+
+Json report_data(const fs::path& directory)
+{
+  try
+  {
+    return data_of(directory);
+  }
+  catch (const Json::exception& e)
+  {
+    refuse(directory, fmt::format("a file is not as berm writes it: {}", e.what()),
+           "run the case again");
+  }
+}
+
+Json foreign_report_data(const fs::path& directory)
+{
+  constexpr unsigned longest = 60; // s; a large run-out takes a few
+  try
+  {
+    const std::string cbor = in_sandbox(
+        [&directory]
+        {
+          const std::vector<std::uint8_t> bytes = Json::to_cbor(report_data(directory));
+          return std::string(bytes.begin(), bytes.end());
+        },
+        longest);
+    return Json::from_cbor(cbor);
+  }
+  catch (const SandboxFailure& e)
+  {
+    refuse(directory, fmt::format("cannot be read: reading it {}", e.what()), "run the case again");
+  }
 }
 } // namespace berm::app

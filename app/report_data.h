@@ -13,4 +13,9 @@ namespace berm::app
 /// @throws InputError if the directory is missing or holds neither kind of result, or one that
 /// cannot be read; IoError if a file beside it cannot be read.
 [[nodiscard]] Json report_data(const std::filesystem::path& directory);
+
+/// @brief The same of a directory that may come from anywhere: read in a sandbox
+/// (core/sandbox.h), so that broken files end in a message. Call it before threads are started.
+/// @throws as report_data; InputError also where reading crashes or does not end.
+[[nodiscard]] Json foreign_report_data(const std::filesystem::path& directory);
 } // namespace berm::app

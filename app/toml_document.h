@@ -6,18 +6,19 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace berm::app
 {
+struct TomlEntry;
+
 /// A value of a TOML document; tables keep the order of the file, which says which soil is the
 /// first.
 struct TomlValue
 {
   using Array = std::vector<TomlValue>;
-  using Table = std::vector<std::pair<std::string, TomlValue>>;
+  using Table = std::vector<TomlEntry>;
   struct DateOrTime
   {
   };
@@ -28,6 +29,13 @@ struct TomlValue
 
   [[nodiscard]] const Table* table() const { return std::get_if<Table>(&data); }
   [[nodiscard]] const Array* array() const { return std::get_if<Array>(&data); }
+};
+
+/// A key and its value.
+struct TomlEntry
+{
+  std::string first;
+  TomlValue second;
 };
 
 /// @brief Parse a TOML document (toml++ is used here only).

@@ -52,6 +52,7 @@ TomlObstacle find_obstacle(std::string_view text)
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
   int parts = 1;
+  char before = '\n'; // the last character that is no blank
   while (i < text.size())
   {
     const char c = text[i];
@@ -62,7 +63,10 @@ TomlObstacle find_obstacle(std::string_view text)
     }
     if (c == '"' || c == '\'')
     {
+      if (std::string_view("\n=,[{.").find(before) == std::string_view::npos)
+        return obstacle_at(text, i, "quotes where no text can begin");
       i = behind_string(text, i);
+      before = c;
       continue;
     }
     if (static_cast<unsigned char>(c) >= 0x80)
@@ -71,6 +75,8 @@ TomlObstacle find_obstacle(std::string_view text)
       return obstacle_at(text, i, "a dotted key of more than 8 parts");
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{')
       parts = 1;
+    if (c != ' ' && c != '\t')
+      before = c;
     ++i;
   }
   return {};

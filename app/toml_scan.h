@@ -15,6 +15,7 @@ struct TomlObstacle
 
 /// @brief Look for what toml++ 3.3 does not survive, outside of strings and comments:
 /// keys of so many parts that taking the nested tables down overflows the stack (it bounds brackets
-/// only), and characters beyond ASCII, which are not TOML there and lead it to undefined behaviour.
+/// only), quotes where no text can begin, which it takes for a part of what stands before them, and
+/// characters beyond ASCII, which are not TOML there and lead it to undefined behaviour.
 [[nodiscard]] TomlObstacle find_obstacle(std::string_view text);
 } // namespace berm::app

@@ -2,7 +2,9 @@
 #include "meshes/mesh_file.h"
 
 #include "core/error.h"
+#include "core/sandbox.h"
 #include "meshes/drawing.h"
+#include "meshes/drawing_text.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/planar.h"
 #include "meshes/section.h"
@@ -26,7 +28,8 @@ namespace
 using Node = std::size_t; // gmsh's tag
 using Edge = std::pair<Node, Node>;
 
-constexpr double flat = 1e-9; ///< of the section's extent: points nearer to a line are on it
+constexpr double farthest = 1e5; ///< [m], as in a case file
+constexpr double flat = 1e-9;    ///< of the section's extent: points nearer to a line are on it
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string problem,
                          std::string allowed, std::string hint)
@@ -38,21 +41,37 @@ constexpr double flat = 1e-9; ///< of the section's extent: points nearer to a l
                      .hint = std::move(hint)}});
 }
 
-/// What gmsh would not read, and words of a geometry that start programs, or read and write other
-/// files.
-void check_text(const std::filesystem::path& path)
+/// What gmsh would not read, what it would take for something else, and words of a geometry that
+/// start programs, or read and write other files.
+void check_file(const std::filesystem::path& path)
 {
+  constexpr std::uintmax_t most = 100'000'000; // bytes; a million triangles take half of it
   std::ifstream file(path, std::ios::binary);
-  if (!file)
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!file || error)
     throw IoError(path.string() + ": cannot be opened");
+  if (size > most)
+    refuse(path, fmt::format("has {} MB", size / 1'000'000), "at most 100 MB",
+           "use a coarser mesh");
   if (path.extension() != ".geo")
+  {
+    // gmsh would run as a geometry whatever does not begin like a mesh.
+    constexpr std::string_view begins = "$MeshFormat";
+    std::string first(begins.size(), ' ');
+    if (!file.read(first.data(), static_cast<std::streamsize>(first.size())) || first != begins)
+      refuse(path, "does not begin with $MeshFormat", "a mesh in gmsh's format 2 or 4",
+             "a geometry's name ends in .geo");
     return;
+  }
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   if (!text.ends_with('\n'))
     refuse(path, "the last line does not end, and gmsh would not read it", "",
            "add an empty line at the end");
   for (const std::string_view word :
-       {"SystemCall", "OnelabRun", "Include", "Merge", "Save", "Print", "Plugin", "ShapeFromFile"})
+       {"SystemCall", "System", "OnelabRun", "Include", "Merge", "Save", "Print", "Plugin",
+        "ShapeFromFile", "CreateDir", "Open", "SendToServer", "Exit", "Sleep", "ListFromFile",
+        "GetEnv"})
     if (text.find(word) != std::string::npos)
       refuse(path, fmt::format("holds the word {}", word),
              "a geometry of points, curves, surfaces and physical groups alone",
@@ -67,7 +86,7 @@ public:
   {
     try
     {
-      gmsh::open(path_.string());
+      gmsh::open(path_.string()); // runs PATH.opt as well, if it is there
       std::vector<int> types;
       std::vector<std::vector<std::size_t>> elements, nodes;
       gmsh::model::mesh::getElements(types, elements, nodes, 2);
@@ -123,12 +142,17 @@ private:
     for (std::size_t i = 0; i < tags.size(); ++i)
     {
       const Vec2 x(xyz[3 * i], xyz[3 * i + 1]);
+      if (!x.allFinite() || !std::isfinite(xyz[3 * i + 2]))
+        refuse(path_, fmt::format("node {} is at {}", tags[i], text(x)), "finite numbers", "");
       at_[tags[i]] = x;
       low = low.cwiseMin(x);
       high = high.cwiseMax(x);
       z_largest = std::max(z_largest, std::abs(xyz[3 * i + 2]));
     }
     extent_ = tags.empty() ? 0 : (high - low).maxCoeff();
+    if (!tags.empty() && !(low.minCoeff() >= -farthest && high.maxCoeff() <= farthest))
+      refuse(path_, fmt::format("its nodes reach from {} to {}", text(low), text(high)),
+             fmt::format("-{0} <= x, y <= {0}", farthest), "lengths are in m");
     if (z_largest > flat * extent_)
       refuse(path_, fmt::format("a node at z = {:.4g} m", z_largest),
              "a section in the plane z = 0, x to the right and y upwards", "");
@@ -202,11 +226,12 @@ private:
   }
 
   /// Edges that two areas run through in opposite directions are inside both together.
-  static void merge(std::set<Edge>& border, const std::set<Edge>& more)
+  void merge(std::set<Edge>& border, const std::set<Edge>& more) const
   {
     for (const auto& [from, to] : more)
-      if (border.erase({to, from}) == 0)
-        border.insert({from, to});
+      if (border.erase({to, from}) == 0 && !border.insert({from, to}).second)
+        refuse(path_, fmt::format("areas lie on each other at {}", text(at_.at(from))),
+               "surfaces without overlaps", "");
   }
 
   /// Closed chains of edges, the area on their left, without needless points.
@@ -319,8 +344,21 @@ private:
 
 GmshDrawing read_gmsh(const std::filesystem::path& path)
 {
-  check_text(path);
-  const GmshSession session;
-  return Reader(path).drawing();
+  check_file(path);
+  const auto read = [&path]
+  {
+    const GmshSession session;
+    return drawing_text(Reader(path).drawing());
+  };
+  // A geometry that goes on for ever is given 4 s, a large mesh more.
+  const auto seconds = static_cast<unsigned>(4 + std::filesystem::file_size(path) / 5'000'000);
+  try
+  {
+    return drawing_from(in_sandbox(read, seconds));
+  }
+  catch (const SandboxFailure& e)
+  {
+    refuse(path, fmt::format("gmsh cannot read it: it {}", e.what()), "", "");
+  }
 }
 } // namespace berm::meshes

@@ -15,15 +15,17 @@ NeighbourList find_neighbours(std::span<const double> x, std::span<const double>
     return list;
 
   // Count, scan, place: points sorted by cell, in their own order inside a cell.
-  const auto [x_lo, x_hi] = std::minmax_element(x.begin(), x.end());
-  const auto [y_lo, y_hi] = std::minmax_element(y.begin(), y.end());
+  const auto x_ends = std::minmax_element(x.begin(), x.end());
+  const auto y_ends = std::minmax_element(y.begin(), y.end());
+  const double x_lo = *x_ends.first, x_hi = *x_ends.second;
+  const double y_lo = *y_ends.first, y_hi = *y_ends.second;
   const auto cells_along = [&](double extent)
   { return static_cast<std::size_t>(std::floor(extent / radius)) + 1; };
-  const std::size_t nx = cells_along(*x_hi - *x_lo), ny = cells_along(*y_hi - *y_lo);
+  const std::size_t nx = cells_along(x_hi - x_lo), ny = cells_along(y_hi - y_lo);
   const auto cell_of = [&](double value, double low)
   { return static_cast<std::size_t>((value - low) / radius); };
   const auto cell = [&](std::size_t i)
-  { return std::min(cell_of(x[i], *x_lo), nx - 1) * ny + std::min(cell_of(y[i], *y_lo), ny - 1); };
+  { return std::min(cell_of(x[i], x_lo), nx - 1) * ny + std::min(cell_of(y[i], y_lo), ny - 1); };
   std::vector<std::size_t> start(nx * ny + 1, 0);
   for (std::size_t i = 0; i < x.size(); ++i)
     ++start[cell(i) + 1];

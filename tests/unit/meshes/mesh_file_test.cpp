@@ -168,11 +168,45 @@ TEST_F(GmshFile, WhatCannotBeASectionIsRefused)
 TEST_F(GmshFile, AGeometryThatReachesOutsideIsRefusedUnread)
 {
   const std::filesystem::path trace = std::filesystem::path(testing::TempDir()) / "berm_trace";
-  std::filesystem::remove(trace);
-  const std::string text = "SystemCall \"touch " + trace.string() + "\";";
-  EXPECT_NE(refusal(two_boxes(std::string(both) + text)).find("SystemCall"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(trace));
+  std::filesystem::remove_all(trace);
+  for (const std::string command : {"SystemCall \"touch ", "System \"touch ", "CreateDir \"",
+                                    "NonBlockingSystemCall \"touch ", "Save \""})
+  {
+    const std::string text = command + trace.string() + "\";";
+    const std::string word = command.substr(command.starts_with("NonB") ? 11 : 0);
+    EXPECT_NE(refusal(two_boxes(std::string(both) + text)).find(word.substr(0, word.find(' '))),
+              std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(trace)) << command;
+  }
   EXPECT_THROW(static_cast<void>(read_gmsh("no/such/file.msh")), IoError);
+}
+
+TEST_F(GmshFile, AGeometryUnderTheNameOfAMeshIsNotRun)
+{
+  const std::filesystem::path trace = std::filesystem::path(testing::TempDir()) / "berm_trace_msh";
+  std::filesystem::remove(trace);
+  EXPECT_THROW(static_cast<void>(
+                   read_gmsh(written("System \"touch " + trace.string() + "\";\n", "drawing.msh"))),
+               InputError);
+  EXPECT_FALSE(std::filesystem::exists(trace));
+}
+
+TEST_F(GmshFile, OptionsBesideAGeometryChangeNothingOutside)
+{
+  const std::filesystem::path trace = std::filesystem::path(testing::TempDir()) / "berm_trace_opt";
+  std::filesystem::remove(trace);
+  const std::filesystem::path geometry = written(two_boxes(std::string(both)));
+  const std::filesystem::path options = geometry.string() + ".opt";
+  std::ofstream(options) << "System \"touch " << trace.string() << "\";\n";
+  EXPECT_THROW(static_cast<void>(read_gmsh(geometry)), InputError);
+  EXPECT_FALSE(std::filesystem::exists(trace)); // gmsh runs them: the sandbox holds
+  std::filesystem::remove(options);
+}
+
+TEST_F(GmshFile, AGeometryWithoutEndIsGivenUp)
+{
+  EXPECT_NE(refusal("For i In {1:2}\n i = 1;\nEndFor\n").find("takes longer than"),
+            std::string::npos);
 }
 } // namespace
 } // namespace berm::meshes

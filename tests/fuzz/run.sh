@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Fuzz each target for so many minutes in turn; print executions and findings.
+#   tests/fuzz/run.sh MINUTES [TARGET...]     targets: case set vary result files
+# Inputs that break something are kept in build/fuzz/findings, the grown corpus in build/fuzz/corpus.
+# `files` breaks geometries, meshes and results under the release build's program; the others are
+# clang's libFuzzer with address and undefined-behaviour sanitizers.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+minutes=${1:?usage: tests/fuzz/run.sh MINUTES [TARGET...]}
+shift
+targets=("$@")
+[ $# -gt 0 ] || targets=(case set vary result files)
+
+if [ ! -x build/fuzz/tests/fuzz/fuzz_result ]; then
+  cmake --preset fuzz >build/fuzz.log && cmake --build --preset fuzz >>build/fuzz.log
+fi
+findings=build/fuzz/findings
+mkdir -p "$findings"
+python3 tests/fuzz/seeds.py build/fuzz/corpus
+export BERM_FUZZ_RESULTS="$PWD/build/fuzz/corpus/sound_results"
+export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 OMP_NUM_THREADS=1
+
+for target in "${targets[@]}"; do
+  if [ "$target" = files ]; then
+    python3 tests/fuzz/fuzz_files.py "$minutes" "$findings"
+    continue
+  fi
+  log=build/fuzz/$target.log
+  build/fuzz/tests/fuzz/fuzz_$target -max_total_time=$((60 * minutes)) -timeout=10 -rss_limit_mb=3000 \
+    -max_len=20000 -print_final_stats=1 -artifact_prefix="$findings/$target-" -dict=tests/fuzz/words.dict \
+    "build/fuzz/corpus/$target" >"$log" 2>&1 && end="nothing found" || end="FOUND: see $log"
+  echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") executions in $minutes min, $end"
+done
+rm -rf /dev/shm/berm_fuzz_*
