@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/checkpoint.h"
 
+#include "app/frame_files.h"
 #include "app/packed_array.h"
 #include "app/result_json.h"
 #include "app/run_writer.h"
@@ -48,6 +49,20 @@ std::string identity_of(const coupling::Case& input)
   return digest(all);
 }
 
+/// Remove what is ours; what else somebody keeps there stays, and the folder with it.
+void clear(const fs::path& folder)
+{
+  std::error_code ignored;
+  remove_frames(folder);
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(run_file) || name.starts_with("settled_") || name.starts_with("trial_"))
+      fs::remove(entry.path(), ignored);
+  }
+  fs::remove(folder, ignored);
+}
+
 /// What `begin` noted; null if there is nothing, or it cannot be read.
 Json noted(const fs::path& folder)
 {
@@ -78,7 +93,7 @@ void Checkpoint::begin(bool resume)
 {
   std::error_code error;
   if (!resume)
-    fs::remove_all(folder_, error);
+    clear(folder_);
   fs::create_directories(folder_, error);
   if (error)
     throw IoError(folder_.string() + ": " + error.message());
@@ -89,8 +104,7 @@ void Checkpoint::begin(bool resume)
 
 void Checkpoint::remove()
 {
-  std::error_code ignored; // a later run drops it
-  fs::remove_all(folder_, ignored);
+  clear(folder_);
 }
 
 std::optional<std::string> Checkpoint::kept(const std::string& name)

@@ -83,10 +83,18 @@ RunOptions as_begun(RunOptions options)
 {
   if (!options.resume || !std::filesystem::is_directory(options.case_path))
     return options;
+  if (!options.out.empty())
+    throw InputError({{.key = "--out",
+                       .value = options.out,
+                       .problem = "the results go where they went before",
+                       .allowed = "nothing, beside --resume DIR",
+                       .hint = "leave it out"}});
   StoppedRun run = stopped_run(options.case_path);
   options.out = options.case_path;
   options.case_path = std::move(run.case_path);
-  options.read.overrides = std::move(run.overrides);
+  // What is given now, too, makes it another case, which is refused.
+  options.read.overrides.insert(options.read.overrides.begin(), run.overrides.begin(),
+                                run.overrides.end());
   return options;
 }
 

@@ -5,7 +5,9 @@
 #include "sph/trial.h"
 
 #include <cstring>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -40,29 +42,35 @@ private:
 class ByteReader
 {
 public:
-  explicit ByteReader(const std::string& bytes) : next_(bytes.data()) {}
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
   template <class Value>
   requires std::is_trivially_copyable_v<Value>
-  void get(Value& value)
-  {
-    std::memcpy(&value, next_, sizeof value);
-    next_ += sizeof value;
-  }
+  void get(Value& value) { take(&value, 1, sizeof value); }
   template <class List>
   requires std::is_trivially_copyable_v<typename List::value_type>
   void get(List& list)
   {
     std::size_t size = 0;
     get(size);
+    if (size > rest_.size()) // before memory is asked for
+      cut_short();
     list.resize(size);
-    if (size > 0)
-      std::memcpy(list.data(), next_, size * sizeof(typename List::value_type));
-    next_ += size * sizeof(typename List::value_type);
+    take(list.data(), size, sizeof(typename List::value_type));
   }
 
 private:
-  const char* next_;
+  void take(void* to, std::size_t count, std::size_t each)
+  {
+    if (count > rest_.size() / each)
+      cut_short();
+    if (count > 0)
+      std::memcpy(to, rest_.data(), count * each);
+    rest_.remove_prefix(count * each);
+  }
+  [[noreturn]] static void cut_short() { throw std::length_error("bytes are missing"); }
+
+  std::string_view rest_;
 };
 
 void write(ByteWriter& bytes, const Trial& trial);
@@ -78,7 +86,8 @@ template <class Work>
   return bytes.bytes();
 }
 
-/// Pre: `to_bytes` of the same Work made the text.
+/// @param[in] text  As `to_bytes` of the same Work made it.
+/// @throws std::length_error if it is too short.
 template <class Work>
 [[nodiscard]] Work from_bytes(const std::string& text)
 {

@@ -151,8 +151,20 @@ class Kills(FaultTest):
         _, err = self.berm("run", *self.case, "--set", "stability.tolerance=0.03", "--out", "out",
                            "--resume", code=2)
         self.assertIn("another case", err)
+        _, err = self.berm("run", "--resume", "out", "--set", "stability.tolerance=0.03", code=2)
+        self.assertIn("another case", err)
+        _, err = self.berm("run", "--resume", "out", "--out", "elsewhere", code=2)
+        self.assertIn("--out", err)
         _, err = self.berm("run", "--resume", "earlier", code=2)
         self.assertIn("no run to go on with", err)
+
+    def test_what_else_is_in_the_folder_stays(self):
+        self.prepare()
+        mine = self.dir / "out" / "checkpoint" / "notes.txt"
+        mine.parent.mkdir()
+        mine.write_text("mine")
+        self.end_with(self.begin(*self.case), CUT_SHORT)
+        self.assertEqual([p.name for p in mine.parent.iterdir()], ["notes.txt"])
 
     @unittest.skipUnless(HAS_SEEPAGE, "mpirun needs the build with MPI")
     def test_a_killed_rank_ends_the_team_and_leaves_the_earlier_results(self):

@@ -364,19 +364,44 @@ TEST(TrialBytes, ComeBackAsTheyWent)
   trial.state.ux = {1, 2};
   trial.state.stress = {{1, 2, 3, 4}, {5, 6, 7, 8}};
   trial.state.density = {9};
-  ByteWriter out;
-  write(out, trial);
-  const std::string bytes = out.bytes();
-  Trial back;
-  ByteReader in(bytes);
-  read(in, back);
-  ByteWriter again;
-  write(again, back);
-  EXPECT_EQ(again.bytes(), bytes);
+  const std::string bytes = to_bytes(trial);
+  const Trial back = from_bytes<Trial>(bytes);
+  EXPECT_EQ(to_bytes(back), bytes);
   EXPECT_EQ(back.reason, trial.reason);
   EXPECT_EQ(back.history[1].max_displacement, 6);
   EXPECT_EQ(back.state.stress[1].xy, 8);
   EXPECT_EQ(back.seconds.cpu, 2.5);
   EXPECT_TRUE(back.state.vx.empty());
+}
+
+TEST(TrialBytes, SettledSoilToo)
+{
+  const Settled settled{.state = {.ux = {1},
+                                  .uy = {2},
+                                  .vx = {},
+                                  .vy = {},
+                                  .stress = {{1, 2, 3, 4}},
+                                  .plastic_strain = {5}},
+                        .settlement = 0.25,
+                        .steps = 12};
+  const Settled back = from_bytes<Settled>(to_bytes(settled));
+  EXPECT_EQ(to_bytes(back), to_bytes(settled));
+  EXPECT_EQ(back.steps, 12);
+  EXPECT_EQ(back.state.stress[0].zz, 3);
+}
+
+TEST(TrialBytes, CutShortAtAnyPlaceTheyAreNone)
+{
+  Trial trial;
+  trial.reason = "at rest";
+  trial.history = {{1, 2, 3}};
+  trial.state.stress = {{1, 2, 3, 4}};
+  const std::string bytes = to_bytes(trial);
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_THROW((void)from_bytes<Trial>(bytes.substr(0, length)), std::length_error) << length;
+  // A length that no memory holds.
+  std::string wrong = bytes;
+  wrong.replace(sizeof trial.factor + sizeof trial.outcome, 8, 8, '\xff');
+  EXPECT_THROW((void)from_bytes<Trial>(wrong), std::length_error);
 }
 } // namespace berm::sph
