@@ -53,7 +53,8 @@ const std::vector<Key> table = {
      .otherwise = "the section is drawn in the case file",
      .sentence = "Geometry (.geo) or mesh (.msh) of gmsh, in m, in place of `ground_m`, `base_m` "
                  "and zones: "
-                 "physical surfaces are named after soils. Relative to the case file's folder."},
+                 "physical surfaces are named after soils. In the case file's folder or below it, "
+                 "or an absolute path."},
     {.path = "section.zone[].soil",
      .type = text,
      .sentence = "Name of the soil that fills the zone; a later zone covers an earlier one."},

@@ -63,7 +63,7 @@ TomlValue convert(const toml::node& node, const std::string& name, int fixed_ord
     TomlValue::Table out;
     for (const Row& row : rows)
     {
-      out.emplace_back(row.key, convert(*row.node, name, fixed_order));
+      out.push_back({row.key, convert(*row.node, name, fixed_order)});
       // Where the key stands, not where its value begins or, for a table, is first opened.
       if (fixed_order == 0 && row.at.line > 0)
       {

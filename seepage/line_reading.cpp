@@ -154,8 +154,8 @@ std::vector<double> kinks(const meshes::TriangleMesh& mesh, const Vec2& a, const
   }
   std::ranges::sort(at);
   const auto repeated =
-      std::ranges::unique(at, [](double s, double t) { return t - s < same_parameter; });
-  at.erase(repeated.begin(), repeated.end());
+      std::unique(at.begin(), at.end(), [](double s, double t) { return t - s < same_parameter; });
+  at.erase(repeated, at.end());
   return at;
 }
 

@@ -1,7 +1,7 @@
 """Meshes, places of files, directories of results and command lines that cannot be."""
 
 import os
-import pathlib
+import subprocess
 
 from bases import DRY, GEO, MESH, MSH, Bad, case, mesh
 
@@ -100,6 +100,7 @@ def sealed(path):
 
 
 AS_NOBODY = os.geteuid() != 0  # root may read everything
+NOBODY = ["setpriv", "--reuid=65534", "--clear-groups"]
 PLACES = [
     Bad("a case that is not there", ("no/case.toml", "cannot be opened"), {},
         ("check", "no/case.toml"), 4),
@@ -129,9 +130,11 @@ PLACES = [
 if AS_NOBODY:
     PLACES.append(Bad("a case that may not be read", ("cannot be opened",), {"case.toml": sealed},
                       code=4))
-else:
+elif subprocess.run([*NOBODY, "test", "-x", os.environ.get("BERM", "")], check=False).returncode == 0:
     PLACES.append(Bad("a case that may not be read", ("case.toml: cannot be opened",),
                       {"case.toml": sealed}, ("as nobody", "check", "@/case.toml"), 4))
+else:
+    print("left out: a case that may not be read (root reads all, and nobody cannot start berm)")
 
 RESULT = '{"format": 1, "inputs": {}'
 

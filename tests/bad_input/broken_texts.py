@@ -11,7 +11,7 @@ SYNTAX = [
     raw("a zero in a string", DRY.replace("sound", "so\0und").encode(), "case.toml:2"),
     raw("a zero in a comment", DRY.encode() + b"# \0\n", "case.toml:15"),
     raw("a zero between keys", DRY.encode() + b"\0\n", "case.toml:15"),
-    raw("every byte", bytes(range(256)) * 8, "case.toml:1"),
+    raw("every byte", bytes(range(256)) * 8, "case.toml:", "not valid TOML"),
     raw("a picture", b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "case.toml:1"),
     raw("a program", b"\x7fELF\x02\x01\x01" + b"\0" * 9 + b"\x03\0>\0" * 100, "case.toml:1"),
     raw("UTF-16", DRY.encode("utf-16"), "case.toml:1"),

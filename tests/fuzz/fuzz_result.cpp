@@ -19,12 +19,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// A copy of the sound directory, in memory.
+/// A copy of the sound directory.
 const fs::path& scratch()
 {
   static const fs::path path = []
   {
-    const fs::path made = "/dev/shm/berm_fuzz_" + std::to_string(getpid());
+    const fs::path made = fs::temp_directory_path() / ("berm_fuzz_" + std::to_string(getpid()));
     fs::remove_all(made);
     if (const char* sound = std::getenv("BERM_FUZZ_RESULTS"))
       fs::copy(sound, made, fs::copy_options::recursive);

@@ -12,11 +12,15 @@ targets=("$@")
 [ $# -gt 0 ] || targets=(case set vary result files)
 
 if [ ! -x build/fuzz/tests/fuzz/fuzz_result ]; then
-  cmake --preset fuzz >build/fuzz.log && cmake --build --preset fuzz >>build/fuzz.log
+  mkdir -p build
+  cmake --preset fuzz >build/fuzz.log 2>&1 && cmake --build --preset fuzz >>build/fuzz.log 2>&1
 fi
 findings=build/fuzz/findings
 mkdir -p "$findings"
 python3 tests/fuzz/seeds.py build/fuzz/corpus
+TMPDIR=$(mktemp -d /dev/shm/berm_fuzz_XXXXXX) # in memory
+export TMPDIR
+trap 'rm -rf "$TMPDIR"' EXIT
 export BERM_FUZZ_RESULTS="$PWD/build/fuzz/corpus/sound_results"
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 OMP_NUM_THREADS=1
 
@@ -31,4 +35,3 @@ for target in "${targets[@]}"; do
     "build/fuzz/corpus/$target" >"$log" 2>&1 && end="nothing found" || end="FOUND: see $log"
   echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") executions in $minutes min, $end"
 done
-rm -rf /dev/shm/berm_fuzz_*
