@@ -116,6 +116,13 @@ std::optional<std::filesystem::path> relative_mesh_file(const TomlValue& documen
 std::optional<std::filesystem::path> relative_mesh_file(const std::string& case_text)
 {
   KeyPlaces places;
-  return relative_mesh_file(parse_toml(case_text, "", places));
+  try
+  {
+    return relative_mesh_file(parse_toml(case_text, "", places));
+  }
+  catch (const InputError&)
+  {
+    return std::nullopt;
+  }
 }
 } // namespace berm::app

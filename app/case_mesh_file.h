@@ -28,6 +28,6 @@ std::map<std::string, Polyline> read_section(const std::string& file,
 /// @brief section.mesh_file of a case, if it has one whose path is relative.
 [[nodiscard]] std::optional<std::filesystem::path> relative_mesh_file(const TomlValue& document);
 
-/// @brief The same, of a case file's text without mistakes.
+/// @brief The same, of a case file's text; nothing if that is not TOML.
 [[nodiscard]] std::optional<std::filesystem::path> relative_mesh_file(const std::string& case_text);
 } // namespace berm::app

@@ -5,8 +5,10 @@
 #include "app/toml_document.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <regex>
@@ -67,6 +69,13 @@ std::pair<std::string, CheckedValues::Value> value_of(const Key& key, Dice& dice
   {
     const std::string text(key.choices[dice() % key.choices.size()]);
     return {dice() % 2 == 0 ? text : "\"" + text + "\"", text}; // a bare word stands for itself
+  }
+  case ValueType::choice_list:
+  {
+    std::vector<std::string> some(key.choices.begin(), key.choices.end());
+    std::shuffle(some.begin(), some.end(), dice);
+    some.resize(1 + dice() % some.size());
+    return {fmt::format("[\"{}\"]", fmt::join(some, "\", \"")), some};
   }
   case ValueType::integer:
   {
