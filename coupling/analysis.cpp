@@ -60,7 +60,7 @@ Polyline hydrostatic_surface(const Case& input, const meshes::Section& section)
     return {};
   if (!input.water.free_surface.empty())
     return input.water.free_surface;
-  const Polyline line = straight_free_surface(section);
+  Polyline line = straight_free_surface(section);
   if (line.empty())
     throw InputError({{.key = "water.free_surface_m",
                        .value = {},
@@ -88,6 +88,7 @@ PorePressure make_pore_pressure(const Case& input, const Analysis& analysis,
 std::vector<sph::Soil> mechanical(const std::vector<Soil>& soils)
 {
   std::vector<sph::Soil> result;
+  result.reserve(soils.size());
   for (const Soil& soil : soils)
     result.push_back(soil.mechanical);
   return result;

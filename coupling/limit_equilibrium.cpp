@@ -417,9 +417,10 @@ std::optional<SlipCircle> critical_circle(const LimitEquilibriumModel& exact, bo
       // All 26 directions: a circle that touches the base can only move along it.
       for (int direction = 0; direction < 27; ++direction)
       {
-        const Arc tried = {c.arc.x_left + (direction % 3 - 1) * step[0],
-                           c.arc.x_right + (direction / 3 % 3 - 1) * step[1],
-                           c.arc.bulge + (direction / 9 - 1) * step[2]};
+        const int left = direction % 3 - 1, right = direction / 3 % 3 - 1,
+                  bulge = direction / 9 - 1;
+        const Arc tried = {c.arc.x_left + left * step[0], c.arc.x_right + right * step[1],
+                           c.arc.bulge + bulge * step[2]};
         const double F = factor_of(model, tried, moves_right, min_depth, fine_slices);
         if (F < c.F)
         {

@@ -151,7 +151,8 @@ bool holds_soil(const Region& region, const meshes::Section& section)
     return false;
   for (int k = 0; k < points * points; ++k)
   {
-    const Vec2 share{(k % points + 0.5) / points, (k / points + 0.5) / points};
+    const int row = k / points, column = k % points;
+    const Vec2 share{(column + 0.5) / points, (row + 0.5) / points};
     const Vec2 p = lower + share.cwiseProduct(upper - lower);
     if (meshes::polygon_contains(section.outline, p) && region.contains(p))
       return true;
