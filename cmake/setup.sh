@@ -40,11 +40,11 @@ install_dependencies() {
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# configure PRESET: once; a changed CMake file is picked up by the build itself.
+# configure PRESET [OPTION ...]: once; a changed CMake file is picked up by the build itself.
 configure() {
   local log="build/$1.configure.log"
   [ -f "build/$1/build.ninja" ] && return
   mkdir -p build
   echo "berm: configuring $1" >&2
-  cmake --preset "$1" >"$log" 2>&1 || { grep -A4 -E 'CMake Error|lacks' "$log" >&2; echo "berm: the whole of it is in $log" >&2; exit 1; }
+  cmake --preset "$@" >"$log" 2>&1 || { grep -A4 -E 'CMake Error|lacks' "$log" >&2; echo "berm: the whole of it is in $log" >&2; exit 1; }
 }
