@@ -3,20 +3,13 @@
 #include "seepage/flow_operator.h"
 
 #include "core/error.h"
+#include "seepage/dolfinx_versions.h"
 
 #include "flow.h"
 
-#include <dolfinx/common/log.h>
-#include <dolfinx/fem/Constant.h>
-#include <dolfinx/fem/CoordinateElement.h>
-#include <dolfinx/fem/Form.h>
-#include <dolfinx/fem/Function.h>
-#include <dolfinx/fem/FunctionSpace.h>
 #include <dolfinx/fem/assembler.h>
 #include <dolfinx/fem/petsc.h>
-#include <dolfinx/fem/utils.h>
 #include <dolfinx/la/petsc.h>
-#include <dolfinx/mesh/Mesh.h>
 #include <fmt/format.h>
 #include <petscksp.h>
 
@@ -29,6 +22,7 @@ namespace berm::seepage
 {
 namespace fem = dolfinx::fem;
 namespace la = dolfinx::la;
+namespace versions = dolfinx_versions;
 
 namespace
 {
@@ -83,7 +77,7 @@ public:
     }
     // Errors come back as codes, which `check` turns into exceptions.
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
-    loguru::g_stderr_verbosity = loguru::Verbosity_ERROR;
+    versions::log_errors_only();
   }
   ~Session()
   {
@@ -221,7 +215,7 @@ std::array<std::size_t, 2> share(std::size_t count, MPI_Comm comm)
   return {count * rank / size, count * (rank + 1) / size};
 }
 
-std::shared_ptr<dolfinx::mesh::Mesh> make_mesh(const meshes::TriangleMesh& input, MPI_Comm comm)
+std::shared_ptr<versions::Mesh> make_mesh(const meshes::TriangleMesh& input, MPI_Comm comm)
 {
   std::vector<std::int64_t> cells;
   const auto [first_triangle, end_triangle] = share(input.triangles.size(), comm);
@@ -233,18 +227,7 @@ std::shared_ptr<dolfinx::mesh::Mesh> make_mesh(const meshes::TriangleMesh& input
   x.reserve(2 * (end_node - first_node));
   for (std::size_t i = first_node; i < end_node; ++i)
     x.insert(x.end(), {input.nodes[i].x(), input.nodes[i].y()});
-  return std::make_shared<dolfinx::mesh::Mesh>(
-      dolfinx::mesh::create_mesh(comm, dolfinx::graph::regular_adjacency_list(std::move(cells), 3),
-                                 fem::CoordinateElement(dolfinx::mesh::CellType::triangle, 1), x,
-                                 {end_node - first_node, 2}, dolfinx::mesh::GhostMode::none));
-}
-
-/// The space of a coefficient of the forms.
-std::shared_ptr<const fem::FunctionSpace> space_of(const char* name,
-                                                   const std::shared_ptr<dolfinx::mesh::Mesh>& mesh)
-{
-  return std::make_shared<const fem::FunctionSpace>(
-      fem::create_functionspace(functionspace_form_flow_curve_jacobian, name, mesh));
+  return versions::make_mesh(comm, std::move(cells), x);
 }
 } // namespace
 
@@ -261,7 +244,7 @@ struct FlowOperator::Impl
   std::size_t owned = 0;     ///< degrees of freedom
   std::size_t triangles = 0; ///< of all ranks
 
-  std::shared_ptr<dolfinx::mesh::Mesh> mesh;
+  std::shared_ptr<versions::Mesh> mesh;
   FieldPtr p, w, eps, shift, k_min, k_sat, curve;
   std::unique_ptr<fem::Form<double>> residual, jacobian, flux;
   std::vector<double> flux_vector;
@@ -312,29 +295,29 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   Impl& s = *impl_;
   s.comm = options.distributed ? MPI_COMM_WORLD : MPI_COMM_SELF;
   s.mesh = make_mesh(mesh, s.comm);
-  const auto V = space_of("p", s.mesh), per_triangle = space_of("eps", s.mesh);
+  const auto V = versions::make_space(s.mesh, 1), per_triangle = versions::make_space(s.mesh, 0);
   s.p = std::make_shared<Impl::Field>(V);
   s.w = std::make_shared<Impl::Field>(V);
   s.eps = std::make_shared<Impl::Field>(per_triangle);
   s.shift = std::make_shared<Impl::Field>(per_triangle);
   s.k_min = std::make_shared<Impl::Field>(per_triangle);
-  s.k_sat = std::make_shared<Impl::Field>(space_of("k_sat", s.mesh));
-  s.curve = std::make_shared<Impl::Field>(space_of("curve", s.mesh));
+  s.k_sat = std::make_shared<Impl::Field>(versions::make_space(s.mesh, 0, 3));
+  s.curve = std::make_shared<Impl::Field>(versions::make_space(s.mesh, 0, 4));
 
   // dolfinx renumbers cells, vertices and unknowns.
   const std::vector<std::int64_t>& node_of_vertex = s.mesh->geometry().input_global_indices();
-  for (const std::int64_t triangle : s.mesh->topology().original_cell_index)
+  for (const std::int64_t triangle : versions::triangle_of_cell(*s.mesh))
     s.triangle_of_cell.push_back(static_cast<std::size_t>(triangle));
   const auto& index_map = *s.p->function_space()->dofmap()->index_map;
   s.owned = static_cast<std::size_t>(index_map.size_local());
   s.node_of_dof.resize(s.owned + static_cast<std::size_t>(index_map.num_ghosts()));
   for (std::size_t c = 0; c < s.triangle_of_cell.size(); ++c)
   {
-    const auto vertices = s.mesh->geometry().dofmap().links(static_cast<std::int32_t>(c));
-    const auto dofs = s.p->function_space()->dofmap()->cell_dofs(static_cast<std::int32_t>(c));
+    const auto cell = static_cast<std::int32_t>(c);
+    const auto dofs = s.p->function_space()->dofmap()->cell_dofs(cell);
     for (std::size_t k = 0; k < 3; ++k)
-      s.node_of_dof[static_cast<std::size_t>(dofs[k])] =
-          static_cast<std::size_t>(node_of_vertex[static_cast<std::size_t>(vertices[k])]);
+      s.node_of_dof[static_cast<std::size_t>(dofs[k])] = static_cast<std::size_t>(
+          node_of_vertex[static_cast<std::size_t>(versions::vertex(*s.mesh, cell, k))]);
   }
 
   const std::span<double> w = s.w->x()->mutable_array();
@@ -347,20 +330,16 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
     std::ranges::copy(std::array{k.xx, k.xy, k.yy},
                       k_sat.begin() + static_cast<std::ptrdiff_t>(3 * c));
   }
-  const std::map<std::string, std::shared_ptr<const fem::Function<double>>> fields{
-      {"p", s.p},         {"w", s.w},         {"eps", s.eps},    {"shift", s.shift},
-      {"k_min", s.k_min}, {"k_sat", s.k_sat}, {"curve", s.curve}};
-  const std::map<std::string, std::shared_ptr<const fem::Constant<double>>> constants;
-  const auto fluxes = std::make_shared<const fem::FunctionSpace>(
-      fem::create_functionspace(functionspace_form_flow_flux, "t", s.mesh));
-  s.residual = std::make_unique<fem::Form<double>>(
-      fem::create_form<double>(options.curves ? *form_flow_curve_residual : *form_flow_residual,
-                               {V}, fields, constants, {}));
-  s.jacobian = std::make_unique<fem::Form<double>>(
-      fem::create_form<double>(options.curves ? *form_flow_curve_jacobian : *form_flow_jacobian,
-                               {V, V}, fields, constants, {}));
-  s.flux = std::make_unique<fem::Form<double>>(fem::create_form<double>(
-      options.curves ? *form_flow_curve_flux : *form_flow_flux, {fluxes}, fields, constants, {}));
+  const versions::Fields fields{{"p", s.p},         {"w", s.w},         {"eps", s.eps},
+                                {"shift", s.shift}, {"k_min", s.k_min}, {"k_sat", s.k_sat},
+                                {"curve", s.curve}};
+  const bool curves = options.curves;
+  s.residual =
+      versions::make_form(curves ? *form_flow_curve_residual : *form_flow_residual, {V}, fields);
+  s.jacobian =
+      versions::make_form(curves ? *form_flow_curve_jacobian : *form_flow_jacobian, {V, V}, fields);
+  s.flux = versions::make_form(curves ? *form_flow_curve_flux : *form_flow_flux,
+                               {versions::make_space(s.mesh, 0, 2)}, fields);
 
   s.A = std::make_unique<la::petsc::Matrix>(fem::petsc::create_matrix(*s.jacobian), false);
   s.b = std::make_unique<la::petsc::Vector>(*V->dofmap()->index_map, 1);

@@ -3,10 +3,8 @@
 from ufl import (
     CellVolume,
     Coefficient,
-    FiniteElement,
     TestFunction,
     TrialFunction,
-    VectorElement,
     as_matrix,
     as_vector,
     conditional,
@@ -21,11 +19,30 @@ from ufl import (
     triangle,
 )
 
-linear = FiniteElement("Lagrange", triangle, 1)
-constant = FiniteElement("DG", triangle, 0)
-constant_vector = VectorElement("DG", triangle, 0)
-constant_tensor = VectorElement("DG", triangle, 0, dim=3)
-constant_curve = VectorElement("DG", triangle, 0, dim=4)
+try:  # DOLFINX 0.9
+    from basix.ufl import element
+    from ufl import FunctionSpace, Mesh
+
+    domain = Mesh(element("Lagrange", "triangle", 1, shape=(2,)))
+
+    def space(family, degree, *shape):
+        return FunctionSpace(domain, element(family, "triangle", degree, shape=shape))
+
+except ImportError:  # 0.5
+    from ufl import FiniteElement, VectorElement
+
+    domain = triangle
+
+    def space(family, degree, *shape):
+        scalar = FiniteElement(family, domain, degree)
+        return VectorElement(scalar, dim=shape[0]) if shape else scalar
+
+
+linear = space("Lagrange", 1)
+constant = space("DG", 0)
+constant_vector = space("DG", 0, 2)
+constant_tensor = space("DG", 0, 3)
+constant_curve = space("DG", 0, 4)
 
 p = Coefficient(linear)  # pressure head [m]
 w = Coefficient(linear)  # 1 inside, 0 on what may become a seepage face [-]
@@ -58,7 +75,7 @@ def forms_of(f):
     q = -k_r * K * (grad(p) + as_vector((0, 1)))
     # Eq. (2.6): residual; its value at a node is the water that has to enter there.
     residual = -inner(q, grad(v)) * dx(degree=3)
-    flux = inner(q, t) / CellVolume(triangle) * dx(degree=3)
+    flux = inner(q, t) / CellVolume(domain) * dx(degree=3)
     return residual, derivative(residual, p, dp), flux
 
 

@@ -21,7 +21,7 @@ FOLDERS = set(MAY_INCLUDE) | {"tests", "bench"}
 
 # Library headers: (what is included, which files may, how many files may, why).
 LIBRARIES = [
-    (r"(dolfinx|basix)[/.].*|petsc.*\.h|ufcx\.h", "seepage/*.cpp", None,
+    (r"(dolfinx|basix)[/.].*|petsc.*\.h|ufcx\.h", "seepage/[sd]ol[vf]*", 2,
      "a new dolfinx must touch few files"),
     (r"gmsh\.h.*", "meshes/[gm][me]s*.cpp", 3, "a new gmsh must touch few files"),
     (r"toml\+\+/.*|toml\.hpp", "app/*.cpp", 1, "one user of TOML"),
