@@ -13,8 +13,8 @@ missing_packages() {
 
 install_dependencies() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    echo "berm: this is not Debian: no apt-get. berm is built on Debian 12 (bookworm) and needs the" >&2
-    echo "equivalents of these packages there (DOLFINX 0.5, PETSc 3.18, gmsh 4.8):" >&2
+    echo "berm: this is not Debian: no apt-get. berm is built on Debian 12 and 13 and needs the" >&2
+    echo "equivalents of these packages there (DOLFINX 0.5, PETSc 3.18, gmsh 4.8, or 0.9, 3.22, 4.13):" >&2
     grep -v '^#' cmake/debian-packages.txt | sed 's/^/  /' >&2
     echo "With them in place: cmake --preset release && cmake --build --preset release" >&2
     exit 1
@@ -23,10 +23,10 @@ install_dependencies() {
   codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-unknown}")
   missing=$(missing_packages)
   [ -z "$missing" ] && return
-  if [ "$codename" != bookworm ]; then
-    echo "berm: this is '$codename', not Debian 12 (bookworm), the release that berm is built on." >&2
+  if [ "$codename" != bookworm ] && [ "$codename" != trixie ]; then
+    echo "berm: this is '$codename', neither Debian 12 (bookworm) nor 13 (trixie), which berm is built on." >&2
     echo "These packages are missing: $(echo "$missing" | tr '\n' ' ')" >&2
-    echo "Install them, or what provides DOLFINX 0.5, PETSc 3.18 and gmsh 4.8 here, and call this again." >&2
+    echo "Install them, or what provides DOLFINX 0.5 or 0.9, PETSc and gmsh here, and call this again." >&2
     exit 1
   fi
   local sudo=""

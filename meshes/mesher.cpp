@@ -117,7 +117,8 @@ Meshed mesh_with(int algorithm, const Section& section, const PlanarGraph& graph
   if (!inside.empty())
     gmsh::model::mesh::embed(1, inside, 2, 1);
   gmsh::model::mesh::setSizeCallback(
-      [&field, factor](int, int, double x, double y, double) {
+      // Newer releases give z and the size without the callback, gmsh 4.8 z alone.
+      [&field, factor](int, int, double x, double y, auto...) {
         return field.at({x, y}, factor);
       });
   gmsh::model::mesh::generate(2);
