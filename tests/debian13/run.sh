@@ -13,7 +13,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 mkdir -p "$root/berm"
 git ls-files -z | tar -c --null -T - | tar -x -C "$root/berm" # build/ there stays, and is built on
 
-# What is mounted there ends with the command.
+# shellcheck disable=SC2016 # expanded inside; what is mounted there ends with the command
 exec unshare --mount sh -c '
   mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && mount --rbind /sys "$0/sys" || exit 1
   exec chroot "$0" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 JOBS="$JOBS" \
