@@ -125,7 +125,7 @@ double distance_from(const Polyline& line, const Vec2& p)
 /// other curve.
 std::optional<FittedCircle> slip_circle(const Mechanism& m)
 {
-  const std::optional<FittedCircle> circle = fit_circle(m.slip_line);
+  std::optional<FittedCircle> circle = fit_circle(m.slip_line);
   if (!circle || circle->misfit > near_circle * m.thickness ||
       circle->radius > flat_arc * m.length || circle->centre.y() < 0.5 * (m.entry.y() + m.exit.y()))
     return std::nullopt;

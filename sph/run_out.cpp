@@ -168,7 +168,7 @@ Moment moment_of(const Frame& frame)
   return m;
 }
 
-Frame first_frame(const MovingBody& body, State start)
+Frame first_frame(const MovingBody& body, const State& start)
 {
   const UpdatedLagrangian soil(body, {}, start);
   return {

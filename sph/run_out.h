@@ -83,7 +83,7 @@ struct RunOut
 };
 
 /// @brief The first frame of a run-out from a state of the same body, e.g. a failing trial.
-[[nodiscard]] Frame first_frame(const MovingBody& body, State start);
+[[nodiscard]] Frame first_frame(const MovingBody& body, const State& start);
 
 /// @brief Let the soil move until it rests or the time is up.
 /// At rest: for sqrt(H/g), kinetic energy and dissipation are small, docs/theory.md eq. (11.1).
