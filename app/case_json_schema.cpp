@@ -32,8 +32,8 @@ Json list_schema(const Json& items, int least, int most = 0)
 Json value_schema(const Key& key)
 {
   using enum ValueType;
-  const Json one = number_schema(key.range);
-  const Json line = list_schema(list_schema(one, 2, 2), key.least_points);
+  Json one = number_schema(key.range);
+  Json line = list_schema(list_schema(one, 2, 2), key.least_points);
   switch (key.type)
   {
   case text:
