@@ -131,6 +131,7 @@ int run_case(const RunOptions& given, KeyPlaces& places)
   const bool speaks = team.rank() == 0; // the others work in silence, and write nothing
   const Place place = begin_run(options, input, "", places);
   const std::filesystem::path& directory = place.directory;
+  Console console = console_of(options, speaks);
   Checkpoint checkpoint(directory, input);
   if (options.resume)
     checkpoint.require_same();
@@ -138,7 +139,6 @@ int run_case(const RunOptions& given, KeyPlaces& places)
     checkpoint.begin(options.resume);
   (void)team.any(false); // the others write there, too
   FrameFiles frames(checkpoint.frames());
-  Console console = console_of(options, speaks);
   for (const std::string& doubt : doubts(input))
     console.warn(doubt);
   const coupling::Analysis analysis = coupling::analyse(input, console, frames, checkpoint, team);

@@ -46,6 +46,8 @@ def out_of_range(schema, end):
         return beyond(schema, end)
     if schema.get("type") == "array":
         item = schema["items"]
+        if "enum" in item:
+            return None  # words have no range
         if item["type"] == "number":
             return [beyond(item, end)] * 2
         wrong = beyond(item["items"], end)
