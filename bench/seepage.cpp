@@ -106,12 +106,17 @@ void speed_against_error()
 struct Notes : Observer
 {
   bool speaks = false;
+  bool details = false; ///< each Newton step
   void note(std::string_view text) override
   {
     if (speaks)
       fmt::print(stderr, "{}\n", text);
   }
-  void detail(std::string_view text) override { note(text); }
+  void detail(std::string_view text) override
+  {
+    if (details)
+      note(text);
+  }
   void warn(std::string_view text) override { note(fmt::format("warning: {}", text)); }
 };
 
@@ -123,7 +128,7 @@ void hard(const std::string& name)
     {
       const meshes::Section section = meshes::build_section(c.section);
       Notes notes;
-      notes.speaks = true;
+      notes.speaks = notes.details = true;
       const seepage::Solution s = seepage::solve(
           section, c.conductivity, seepage::boundary_conditions(section, c.marked), {}, notes);
       fmt::print("{}: q = {:.6g}, known {:.6g}, {:.1f} CPU s\n", name, s.discharge,
