@@ -20,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr const char* folder_name = "checkpoint";
+constexpr const char* checkpoint_folder = "checkpoint";
 constexpr const char* run_file = "run.json";
 constexpr std::size_t digest_length = 64; ///< of SHA-256 in hexadecimal digits
 
@@ -73,7 +73,7 @@ Json noted(const fs::path& folder)
 } // namespace
 
 Checkpoint::Checkpoint(const fs::path& directory, const coupling::Case& input)
-    : folder_(directory / folder_name), case_path_(fs::absolute(input.path).string()),
+    : folder_(directory / checkpoint_folder), case_path_(fs::absolute(input.path).string()),
       overrides_(input.overrides), identity_(identity_of(input))
 {
 }
@@ -125,13 +125,13 @@ void Checkpoint::keep(const std::string& name, const std::string& bytes)
 
 StoppedRun stopped_run(const fs::path& directory)
 {
-  const Json run = noted(directory / folder_name);
+  const Json run = noted(directory / checkpoint_folder);
   if (run.is_null())
     throw InputError(
         {{.key = "--resume",
           .value = directory.string(),
           .problem = "there is no run to go on with: none was stopped there",
-          .allowed = "a directory of results with a folder " + std::string(folder_name),
+          .allowed = "a directory of results with a folder " + std::string(checkpoint_folder),
           .hint = "berm run CASE begins one"}});
   return {.case_path = run.value("case", ""),
           .overrides = run.value("overrides", std::vector<std::string>{})};

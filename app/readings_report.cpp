@@ -5,13 +5,13 @@
 
 namespace berm::app
 {
-namespace
-{
 std::string point_text(const Vec2& p)
 {
   return fmt::format("({:.2f}, {:.2f})", p.x(), p.y());
 }
 
+namespace
+{
 /// The flow through a line and the push of the water on its right side.
 void add_line(std::vector<ReportRow>& rows, const coupling::OutputLine& line,
               const seepage::LineReading& reading)

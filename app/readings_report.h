@@ -14,6 +14,9 @@ struct ReportRow
   std::string label, text;
 };
 
+/// @brief A point for people, to the centimetre [m]: "(1.50, 2.00)".
+[[nodiscard]] std::string point_text(const Vec2& p);
+
 /// @brief Lines, exit gradients and heave, for the report's part on seepage.
 /// Pre: there was a seepage solve.
 [[nodiscard]] std::vector<ReportRow> reading_rows(const coupling::Case& input,

@@ -36,11 +36,6 @@ public:
   std::string text_;
 };
 
-std::string point_text(const Vec2& p)
-{
-  return fmt::format("({:.2f}, {:.2f})", p.x(), p.y());
-}
-
 std::string water_text(const coupling::Case& input, const meshes::Section& section)
 {
   std::string text;
