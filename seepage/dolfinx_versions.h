@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "flow.h"
+
 #include <basix/finite-element.h>
 #include <dolfinx/common/log.h>
 #include <dolfinx/common/version.h>
@@ -84,25 +86,30 @@ inline std::int32_t vertex(const Mesh& mesh, std::int32_t cell, std::size_t k)
 }
 
 /// @brief Lagrange elements as those of forms/flow.py.
+/// DOLFINX 0.5, where its checks are on, takes for a form the spaces of the generated code alone.
+/// @param[in] name        Of a coefficient there, or "t".
 /// @param[in] degree      1: continuous, 0: constant in each triangle.
 /// @param[in] components  1 or more.
 inline std::shared_ptr<const FunctionSpace> make_space(const std::shared_ptr<Mesh>& mesh,
-                                                       int degree, int components = 1)
+                                                       [[maybe_unused]] const char* name,
+                                                       [[maybe_unused]] int degree,
+                                                       [[maybe_unused]] int components = 1)
 {
-  constexpr auto family = basix::element::family::P;
-  constexpr auto cell = basix::cell::type::triangle;
-  constexpr auto variant = basix::element::lagrange_variant::gll_warped;
 #if DOLFINX_VERSION_MINOR < 9
-  const auto element = basix::create_element(family, cell, degree, variant, degree == 0);
-  const int shape = components;
+  const bool of_the_flux = std::string(name) == "t";
+  return std::make_shared<const FunctionSpace>(fem::create_functionspace(
+      of_the_flux ? functionspace_form_flow_flux : functionspace_form_flow_curve_jacobian, name,
+      mesh));
 #else
-  const auto element = basix::create_element<double>(
-      family, cell, degree, variant, basix::element::dpc_variant::unset, degree == 0);
+  const auto element =
+      basix::create_element<double>(basix::element::family::P, basix::cell::type::triangle, degree,
+                                    basix::element::lagrange_variant::gll_warped,
+                                    basix::element::dpc_variant::unset, degree == 0);
   std::vector<std::size_t> shape;
   if (components > 1)
     shape.push_back(static_cast<std::size_t>(components));
-#endif
   return std::make_shared<const FunctionSpace>(fem::create_functionspace(mesh, element, shape));
+#endif
 }
 
 /// A form of the generated code, on its spaces and fields, over the whole mesh.

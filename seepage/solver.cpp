@@ -295,14 +295,15 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   Impl& s = *impl_;
   s.comm = options.distributed ? MPI_COMM_WORLD : MPI_COMM_SELF;
   s.mesh = make_mesh(mesh, s.comm);
-  const auto V = versions::make_space(s.mesh, 1), per_triangle = versions::make_space(s.mesh, 0);
+  const auto V = versions::make_space(s.mesh, "p", 1),
+             per_triangle = versions::make_space(s.mesh, "eps", 0);
   s.p = std::make_shared<Impl::Field>(V);
   s.w = std::make_shared<Impl::Field>(V);
   s.eps = std::make_shared<Impl::Field>(per_triangle);
   s.shift = std::make_shared<Impl::Field>(per_triangle);
   s.k_min = std::make_shared<Impl::Field>(per_triangle);
-  s.k_sat = std::make_shared<Impl::Field>(versions::make_space(s.mesh, 0, 3));
-  s.curve = std::make_shared<Impl::Field>(versions::make_space(s.mesh, 0, 4));
+  s.k_sat = std::make_shared<Impl::Field>(versions::make_space(s.mesh, "k_sat", 0, 3));
+  s.curve = std::make_shared<Impl::Field>(versions::make_space(s.mesh, "curve", 0, 4));
 
   // dolfinx renumbers cells, vertices and unknowns.
   const std::vector<std::int64_t>& node_of_vertex = s.mesh->geometry().input_global_indices();
@@ -339,7 +340,7 @@ FlowOperator::FlowOperator(const meshes::TriangleMesh& mesh,
   s.jacobian =
       versions::make_form(curves ? *form_flow_curve_jacobian : *form_flow_jacobian, {V, V}, fields);
   s.flux = versions::make_form(curves ? *form_flow_curve_flux : *form_flow_flux,
-                               {versions::make_space(s.mesh, 0, 2)}, fields);
+                               {versions::make_space(s.mesh, "t", 0, 2)}, fields);
 
   s.A = std::make_unique<la::petsc::Matrix>(fem::petsc::create_matrix(*s.jacobian), false);
   s.b = std::make_unique<la::petsc::Vector>(*V->dofmap()->index_map, 1);
