@@ -2,19 +2,23 @@
 
 import dataclasses
 
+STIFFNESS = """dilation_angle_deg = 0
+young_modulus_kPa = 1e5
+poisson_ratio = 0.3
+"""
+
+FILL = """[soil.fill]
+unit_weight_kN_m3 = 18
+cohesion_kPa = 10
+friction_angle_deg = 30
+""" + STIFFNESS
+
 DRY = """format = 1
 title = "sound"
 [section]
 ground_m = [[0, 5], [10, 5], [25, 15], [35, 15]]
 base_m = 0.0
-[soil.fill]
-unit_weight_kN_m3 = 18
-cohesion_kPa = 10
-friction_angle_deg = 30
-dilation_angle_deg = 0
-young_modulus_kPa = 1e5
-poisson_ratio = 0.3
-[water]
+""" + FILL + """[water]
 pore_pressure = "none"
 """
 
@@ -22,10 +26,7 @@ CORE = """[soil.core]
 unit_weight_kN_m3 = 19
 cohesion_kPa = 20
 friction_angle_deg = 25
-dilation_angle_deg = 0
-young_modulus_kPa = 1e5
-poisson_ratio = 0.3
-conductivity_m_s = 1e-8
+""" + STIFFNESS + """conductivity_m_s = 1e-8
 """
 
 DAM = """format = 1
@@ -35,14 +36,7 @@ base_m = [[0, -4], [44, -4]]
 [[section.zone]]
 soil = "core"
 polygon_m = [[19, -4], [25, -4], [23, 9], [21, 9]]
-[soil.fill]
-unit_weight_kN_m3 = 18
-cohesion_kPa = 10
-friction_angle_deg = 30
-dilation_angle_deg = 0
-young_modulus_kPa = 1e5
-poisson_ratio = 0.3
-conductivity_m_s = 1e-6
+""" + FILL + """conductivity_m_s = 1e-6
 [water]
 pore_pressure = "seepage"
 left_level_m = 8.0

@@ -4,6 +4,7 @@ from bases import DAM, DRY, GEO, MESH, MSH, Bad, case
 
 DRAWN = "ground_m = [[0, 5], [10, 5], [25, 15], [35, 15]]\nbase_m = 0.0"
 RING = [[0, 0], [35, 0], [35, 15], [25, 15], [10, 5], [0, 5]]
+# What is warned of does not depend on the bracket: a wide one is found in a second.
 FAST = ("--set", "sph.spacing_m=1.5", "--set", "stability.tolerance=0.1", "--set",
         "output.figures=false", "--set", "output.report=false")
 

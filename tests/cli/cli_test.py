@@ -217,6 +217,7 @@ class Cli(BermTest):
 
     @unittest.skipUnless(HAS_SEEPAGE, "needs the seepage stage")
     def test_a_seepage_run_gives_the_same_result_with_any_number_of_threads(self):
+        # Bits are compared: what holds on two meshes holds on three.
         self.expect_same_with_any_number_of_threads(CASES / "seepage.toml", "--set",
                                                     "seepage.tolerance=3e-3")
 
@@ -296,6 +297,7 @@ class Cli(BermTest):
 
     @unittest.skipUnless(HAS_SEEPAGE, "needs gmsh")
     def test_the_case_beside_results_runs_with_the_mesh_file_beside_it(self):
+        # Bits and files are compared, no discharge: two meshes will do.
         coarse = ["--set", "seepage.tolerance=1e-2", *NO_FIGURES]
         drawing = (SOURCE / "cases" / "gmsh_dam" / "dam.geo").read_text(encoding="utf-8")
         case = (SOURCE / "cases" / "gmsh_dam" / "steady.toml").read_text(encoding="utf-8")
