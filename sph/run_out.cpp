@@ -215,7 +215,6 @@ RunOut run_out(const MovingBody& body, const std::vector<Cone>& cones, const Fra
         soil.set_shake(0);
     }
     go_on = go_on && advance_to(soil, frame.time, end, observer);
-    result.closest_pair = soil.closest_pair();
     if (!go_on)
     {
       result.interrupted = true;
@@ -243,6 +242,9 @@ RunOut run_out(const MovingBody& body, const std::vector<Cone>& cones, const Fra
   result.time = frame.time;
   result.steps = frame.steps;
   result.time_to_rest = result.at_rest ? frame.still_since : 0;
+  // Of the frame, which is all there is when a run goes on after its last one.
+  result.closest_pair =
+      UpdatedLagrangian(body, cones, frame.state, frame.time_step).closest_pair();
   result.last = std::move(frame);
   result.seconds = watch.elapsed();
   return result;

@@ -77,7 +77,7 @@ struct RunOut
   long steps = 0;
   std::vector<Moment> history; ///< one for each frame
   Frame last;
-  double closest_pair = 0;  ///< at the end [m]
+  double closest_pair = 0;  ///< in the last frame [m]
   bool interrupted = false; ///< the user asked to stop
   Seconds seconds;
 };

@@ -72,16 +72,27 @@ TEST(RunOut, GoesOnFromAnyFrameWithTheSameBits)
   const RunOut whole = run_out(body, cones_of(100, 15), at_start(body), 1, settings, all, silent);
   ASSERT_EQ(all.frames.size(), 6u);
 
-  Memory rest;
-  rest.given = FrameStore::Kept{.last = all.frames[2], .history = {}};
-  for (int k = 0; k < 3; ++k)
-    rest.given->history.push_back(moment_of(all.frames[static_cast<std::size_t>(k)]));
-  const RunOut second = run_out(body, cones_of(100, 15), at_start(body), 1, settings, rest, silent);
-  ASSERT_EQ(rest.frames.size(), 3u); // those that were there are not kept again
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_TRUE(same(rest.frames[k], all.frames[k + 3])) << k;
-  EXPECT_EQ(second.history.size(), whole.history.size());
-  EXPECT_EQ(second.steps, whole.steps);
+  for (std::size_t from = 0; from < all.frames.size(); ++from) // the last one: nothing is left to do
+  {
+    SCOPED_TRACE(from);
+    Memory rest;
+    rest.given = FrameStore::Kept{.last = all.frames[from], .history = {}};
+    for (std::size_t k = 0; k <= from; ++k)
+      rest.given->history.push_back(moment_of(all.frames[k]));
+    const RunOut second =
+        run_out(body, cones_of(100, 15), at_start(body), 1, settings, rest, silent);
+    // Those that were there are not kept again.
+    ASSERT_EQ(rest.frames.size(), all.frames.size() - 1 - from);
+    for (std::size_t k = 0; k < rest.frames.size(); ++k)
+      EXPECT_TRUE(same(rest.frames[k], all.frames[from + 1 + k])) << k;
+    EXPECT_TRUE(same(second.last, whole.last));
+    EXPECT_EQ(second.history.size(), whole.history.size());
+    EXPECT_EQ(second.steps, whole.steps);
+    EXPECT_EQ(second.time, whole.time);
+    EXPECT_EQ(second.at_rest, whole.at_rest);
+    EXPECT_EQ(second.time_to_rest, whole.time_to_rest);
+    EXPECT_EQ(second.closest_pair, whole.closest_pair);
+  }
 }
 
 TEST(RunOut, ACollapseLosesOnlyWhatItDissipatesAndComesToRest)
