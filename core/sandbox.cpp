@@ -83,6 +83,10 @@ std::vector<sock_filter> read_only_filter()
   std::vector<sock_filter> filter{load(offsetof(seccomp_data, arch)),
                                   BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, our_architecture, 1, 0),
                                   refuse(), load(offsetof(seccomp_data, nr))};
+#ifdef __X32_SYSCALL_BIT // the same calls by other numbers
+  filter.push_back(BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, __X32_SYSCALL_BIT, 0, 1));
+  filter.push_back(refuse());
+#endif
   for (const int call : refused_calls)
   {
     filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
@@ -111,7 +115,9 @@ void confine(unsigned seconds)
   if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0)
     for (const int out : {STDOUT_FILENO, STDERR_FILENO})
       dup2(nothing, out);
-  std::signal(SIGALRM, SIG_DFL);
+  for (const int number :
+       {SIGALRM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) // not the parent's way
+    std::signal(number, SIG_DFL);
   alarm(seconds);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
