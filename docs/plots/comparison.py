@@ -122,7 +122,7 @@ def main(directory, formats):
     particles = "stability" in results["seepage"]
     others = [n for n in ("hydrostatic", "phreatic") if n in results] if particles else []
     plain = min(max(10 * ratio * 1.16 + 0.2, 1.8), 10)  # height of a panel [in]
-    heights = [plain + 0.4, *[plain + 0.6] * (2 if others else 1), *([3.2] if particles else [])]
+    heights = [*[plain + 0.6] * (3 if others else 2), *([3.2] if particles else [])]
     fig, axes = plt.subplots(len(heights), layout="constrained", height_ratios=heights,
                              figsize=(11, sum(heights) + 0.8))
     rest = iter(axes)
