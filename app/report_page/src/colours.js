@@ -33,7 +33,7 @@ const MAPS = {
   cividis: paler(interpolateCividis, 0.28),
   water: (t) => interpolateYlGnBu(0.06 + 0.9 * t),
   strain: (t) => interpolateMagma(1 - 0.92 * t),
-  diverging: (t) => interpolatePuOr(1 - t),
+  diverging: interpolatePuOr, // from purple to orange
 };
 
 function rgb(text) {

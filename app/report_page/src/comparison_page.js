@@ -357,7 +357,7 @@ function pressures(comparison, waters) {
     h(
       "p",
       { class: "note" },
-      "In the differences, purple: the seepage presses harder than the other water says, which is on the unsafe side; orange: less hard. The same particles carry both.",
+      "In the differences, orange: the seepage presses harder than the other water says, so that leaving it out is on the unsafe side; purple: less hard. The same particles carry both.",
     ),
     profile(waters),
     h("h3", {}, "Seepage pressure minus the other"),
