@@ -3,6 +3,7 @@
 
 #include "app/hdf5_file.h"
 #include "app/packed_array.h"
+#include "app/study_lines.h"
 #include "app/text_file.h"
 #include "core/error.h"
 #include "core/sandbox.h"
@@ -202,12 +203,18 @@ Json comparison_data(const fs::path& directory)
   data["case"] = case_data(directory / name_in(comparison.at("waters").at(0), "directory"));
   return data;
 }
+
 Json study_data(const fs::path& directory)
 {
-  Json data = {{"kind", "study"}, {"study", read_json(directory / "study.json", "members")}};
-  data["case"] = case_data(directory);
+  const Json study = read_json(directory / "study.json", "members");
+  Json data = {{"kind", "study"}, {"study", study}, {"case", case_data(directory)}};
+  if (const std::optional<std::string> points = text_of(directory / "reference.csv"))
+    data["reference"] = *points;
+  if (Json lines = study_lines(directory, study); !lines.is_null())
+    data["phreatic"] = std::move(lines);
   return data;
 }
+
 Json data_of(const fs::path& directory)
 {
   std::error_code none;

@@ -7,9 +7,10 @@
 
 namespace berm::app
 {
-/// @brief What the report page shows of a directory that `berm run`, `berm seepage` or
-/// `berm compare` wrote: `kind` ("run" or "comparison"), the JSON files as they are, the fields
-/// packed (app/packed_array.h).
+/// @brief What the report page shows of a directory that `berm run`, `berm seepage`,
+/// `berm compare` or `berm study` wrote: `kind` ("run", "comparison" or "study"), the JSON files as
+/// they are, the fields packed (app/packed_array.h); of a study also its reference points, as text,
+/// and its members' phreatic lines (app/study_lines.h).
 /// @throws InputError if the directory is missing or holds neither kind of result, or one that
 /// cannot be read; IoError if a file beside it cannot be read.
 [[nodiscard]] Json report_data(const std::filesystem::path& directory);

@@ -84,6 +84,109 @@ TEST(ReportData, ReadsNothingOutsideItsDirectory)
   EXPECT_THROW((void)report_data(results), IoError); // there is no lines/secret.csv
 }
 
+namespace
+{
+/// A study of five members, of which the first, third and fourth ran: study.json and their folders.
+Json small_study(const std::filesystem::path& directory)
+{
+  Json study = {{"format", 1}, {"title", "five"}, {"members", Json::array()}};
+  for (int m = 0; m < 5; ++m)
+  {
+    const std::string folder = "members/00" + std::to_string(m);
+    const bool ran = m == 0 || m == 2 || m == 3;
+    study["members"].push_back(
+        {{"directory", folder}, {"discharge_m2_s", ran ? Json(5e-7) : Json(nullptr)}});
+    coupling::Analysis analysis = small_analysis();
+    const double outlet = m == 2 ? 0 : m / 10.0; // the third has the line of the first
+    analysis.seepage->phreatic_lines = {{{0, 1}, {0.5, 0.8}, {1, outlet}}};
+    analysis.section.right_pool_level = 0.1 * m;
+    analysis.section.left_pool_level = 1;
+    if (ran)
+      write_run(directory / folder, small_case(), analysis);
+  }
+  std::ofstream(directory / "case.toml") << "format = 1\n";
+  std::ofstream(directory / "study.json") << study;
+  return study;
+}
+
+/// Another text in place of a member's result.json.
+void spoil(const std::filesystem::path& result, const std::string& text)
+{
+  std::filesystem::create_directories(result.parent_path());
+  std::ofstream(result) << text;
+}
+} // namespace
+
+TEST(ReportData, GathersAStudysReferenceAndPhreaticLines)
+{
+  const TemporaryDirectory directory;
+  const Json study = small_study(directory.path());
+  EXPECT_FALSE(report_data(directory.path()).contains("reference"));
+  const std::string points = "x,F,source\n1,1.5,\"A, B\"\n";
+  std::ofstream(directory.path() / "reference.csv") << points;
+  const Json data = report_data(directory.path());
+  EXPECT_EQ(data.at("kind"), "study");
+  EXPECT_EQ(data.at("study"), study);
+  EXPECT_EQ(data.at("reference"), points);
+  const Json& drawn = data.at("phreatic").at("members");
+  ASSERT_EQ(drawn.size(), 2U); // what ran, but the third, whose line is the first one's
+  EXPECT_EQ(drawn.at(0).at("index"), 0);
+  EXPECT_EQ(drawn.at(1).at("index"), 3);
+  EXPECT_EQ(drawn.at(1).at("lines").at(0).at("x"), packed(std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(drawn.at(1).at("lines").at(0).at("y"), packed(std::vector<double>{1, 0.8, 0.3}));
+  const Json& section = data.at("phreatic").at("section");
+  EXPECT_EQ(section.at("left_level_m"), 1.0);
+  EXPECT_TRUE(section.at("right_level_m").is_null()) << "a pool that differs is no one's";
+  EXPECT_EQ(section.at("ground_m"), Json::parse("[[0.0, 1.0], [1.0, 1.0]]"));
+}
+
+TEST(ReportData, AStudysMemberThatIsOddHasNoLine)
+{
+  const TemporaryDirectory directory;
+  (void)small_study(directory.path());
+  const auto result = directory.path() / "members/000/result.json";
+  const Json sound = Json::parse(std::ifstream(result));
+  std::vector<std::string> texts = {"", "{", "[]", "7", "null", "{\"section\": 1}"};
+  const auto changed = [&](const char* place, const char* value)
+  {
+    Json json = sound;
+    json[Json::json_pointer(place)] = Json::parse(value);
+    texts.push_back(json.dump());
+  };
+  for (const char* value : {"null", "7", "\"a\"", "[[0, 1]]", "[[[0, 1], [1]]]", "{\"a\": [1, 2]}"})
+    changed("/seepage/phreatic_lines_m", value);
+  changed("/section/outline_m", "{\"a\": [0, 1], \"b\": [1, 1]}");
+  changed("/section/x_min_m", "\"0\"");
+  changed("/section/left_level_m", "[1]");
+  changed("/section/inner_lines", "[{\"kind\": 1, \"line_m\": [[0, 1], [1, 1]]}]");
+  for (const std::string& text : texts)
+  {
+    spoil(result, text);
+    const Json drawn = report_data(directory.path()).at("phreatic").at("members");
+    ASSERT_EQ(drawn.size(), 2U) << text;
+    EXPECT_EQ(drawn.at(0).at("index"), 2) << text;
+  }
+  std::filesystem::remove_all(directory.path() / "members");
+  EXPECT_FALSE(report_data(directory.path()).contains("phreatic"));
+}
+
+TEST(ReportData, ReadsNoMemberOutsideOfAStudy)
+{
+  const TemporaryDirectory directory;
+  const auto inside = directory.path() / "study";
+  std::filesystem::create_directories(inside);
+  Json study = small_study(inside);
+  std::filesystem::rename(inside / "members/000", directory.path() / "secret");
+  const std::string absolute = (directory.path() / "secret").string();
+  for (const std::string& path : {std::string("../secret"), std::string("members/../../secret"),
+                                  absolute, std::string(".."), std::string()})
+  {
+    study["members"] = Json::array({{{"directory", path}, {"discharge_m2_s", 1.0}}});
+    std::ofstream(inside / "study.json") << study;
+    EXPECT_FALSE(report_data(inside).contains("phreatic")) << path;
+  }
+}
+
 TEST(ResultJson, SaysTheInputsAsUnderstoodAndWhatWasWarnedOf)
 {
   coupling::Case input = small_case();
