@@ -204,21 +204,48 @@ test("a run-out is played", async () => {
   assert.deepEqual(page.heard, []);
 });
 
-test("a study is shown with its members", async () => {
+/** What `berm study` makes of a case, and its page. */
+function study(path, ...more) {
   const out = join(scratch, "study");
+  rmSync(out, { recursive: true, force: true });
+  execFileSync(BERM, ["study", path, "--out", out, ...more, ...COARSE], { stdio: "inherit" });
+  return out;
+}
+
+test("a study is shown with its members and published points", async () => {
+  const source = "A, 1999 <img src=x onerror=alert(1)>";
+  const points = join(scratch, "points.csv");
+  writeFileSync(
+    points,
+    `x, F, source\n10, 2, "${source}"\n15, 2.2, "${source}"\n12, 2.1, B\n13, , B\nodd, 1, B\n`,
+  );
   const vary = ["--vary", "soil.fill.cohesion_kPa=8,20"];
-  execFileSync(BERM, ["study", join(EMBANKMENT, "dry.toml"), "--out", out, ...vary, ...COARSE], {
-    stdio: "inherit",
-  });
-  const study = json(out, "study.json");
+  const out = study(join(EMBANKMENT, "dry.toml"), ...vary, "--reference", points);
+  const { members } = json(out, "study.json");
   const page = await open(out);
   const rows = page.locator("#answer tbody tr");
   assert.equal(await rows.count(), 2);
-  for (const [i, member] of study.members.entries())
+  for (const [i, member] of members.entries())
     assert.ok((await rows.nth(i).textContent()).includes(member.factor.toFixed(3)));
-  assert.equal(await page.locator("#curves circle").count() >= 2, true);
-  assert.deepEqual(page.heard, []);
+  const curve = page.locator("#factor-curve");
+  assert.equal(await curve.locator(".chart-stage circle").count(), 2);
+  const legend = await curve.locator(".legend .item").allTextContents();
+  assert.deepEqual(legend, ["may lie", "berm", source, "B"]);
+  assert.equal(await curve.locator(".chart-stage g > path[fill=none][stroke-width='1.6']").count(), 3);
+  assert.equal(await page.locator("#discharge-curve").count(), 0);
+  assert.equal(await page.locator("img").count(), 0);
+
+  // A member stands where its values say: F and the key, read off under the cursor.
+  await curve.locator(".chart-stage circle").last().hover();
+  assert.equal(
+    await curve.locator(".readout").textContent(),
+    `berm\nsoil.fill.cohesion_kPa 20.00\nfactor of safety ${members[1].factor.toFixed(3)}`,
+  );
+  const download = page.waitForEvent("download");
+  await curve.getByLabel("Save as SVG").click();
+  assert.ok(readFileSync(await (await download).path(), "utf-8").includes("A, 1999 &lt;img"));
   await fitsPhoneAndPaper(out, page);
+  assert.deepEqual(page.heard, []);
 });
 
 test("text of the user is text", async () => {

@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves and points on two axes.
 import { axisBottom, axisLeft } from "d3-axis";
-import { scaleLinear } from "d3-scale";
+import { scaleLinear, scaleLog } from "d3-scale";
 import { select } from "d3-selection";
 import { axisName, styleAxis } from "./axes.js";
+import { INK } from "./colours.js";
 import { h, s } from "./dom.js";
-import { number } from "./numbers.js";
+import { number, power } from "./numbers.js";
 import { followWidth } from "./paper.js";
 import { saveButtons } from "./save.js";
 
+const PALE = 0.18;
+const HOLLOW = {
+  diamond: "M0,-6.5L5.5,0L0,6.5L-5.5,0Z",
+  square: "M-4.5,-4.5H4.5V4.5H-4.5Z",
+  triangle: "M0,-5.5L5.5,4.5H-5.5Z",
+};
 const M = { left: 62, right: 16, top: 12, bottom: 44 };
 
 /** The smallest and largest of an axis, with room; from zero where nothing is negative, unless `zero` is false. */
-function domain(values, { zero = true }) {
+function domain(values, { zero = true, log = false }) {
   const low = Math.min(...values),
     high = Math.max(...values);
+  if (log) return [low * (low / high) ** 0.06, high * (high / low) ** 0.06];
   if (zero && low >= 0) return [0, high * 1.06 || 1];
   const room = 0.06 * (high - low || Math.abs(high) || 1);
   return [low - room, high + room];
@@ -22,15 +30,18 @@ function domain(values, { zero = true }) {
 
 /** Texts of an axis's ticks: all with as many places; numbers far from 1 as powers of ten. */
 function labels(scale, count) {
+  const exponent = (v) => Math.round(Math.log10(v));
+  if (scale.base) return (v) => (Math.abs(v / 10 ** exponent(v) - 1) < 1e-9 ? power(exponent(v)) : "");
   const most = Math.max(...scale.domain().map(Math.abs));
   return most >= 1e6 || most < 1e-3 ? (v) => number(v, 2) : scale.tickFormat(count);
 }
 
 /**
- * x, y: { title, zero }; series: { label, points [[x, y]], colour, dash, shape ("dot", "ring", "cross"; without
- * one: a line), tips: a text for each point }; bands: { from, to, colour } along x.
+ * x, y: { title, zero, log }; series: { label, points [[x, y]], colour, dash, shape ("dot", "ring", "cross", "diamond",
+ * "square", "triangle"; "band": a pale area; without one: a line), tips: a text for each point }; bands: { from, to,
+ * colour } along x; level: a y to be dashed across, if it is within.
  */
-export function chart({ title, x, y, series, bands = [], height = 260 }) {
+export function chart({ title, x, y, series, bands = [], level = null, height = 260 }) {
   const svg = s("svg", { role: "img", "aria-label": title }),
     readout = h("div", { class: "readout", hidden: true });
   const stage = h("div", { class: "chart-stage" }, svg, readout);
@@ -45,14 +56,14 @@ export function chart({ title, x, y, series, bands = [], height = 260 }) {
     const right = width - M.right,
       bottom = height - M.bottom,
       all = drawn.flatMap((one) => one.points);
-    const xs = scaleLinear(
+    const xs = (x.log ? scaleLog : scaleLinear)(
       domain(
         all.map((p) => p[0]),
         x,
       ),
       [M.left, right],
     );
-    const ys = scaleLinear(
+    const ys = (y.log ? scaleLog : scaleLinear)(
       domain(
         all.map((p) => p[1]),
         y,
@@ -88,6 +99,11 @@ export function chart({ title, x, y, series, bands = [], height = 260 }) {
     select(gy).selectAll("line").attr("stroke", "#e3e7ea");
     axisName(gx, x.title, (M.left + right) / 2, 36, 0);
     axisName(gy, y.title, -(M.top + bottom) / 2, -48, -90);
+    const [bottomValue, topValue] = ys.domain();
+    if (level !== null && bottomValue < level && level < topValue)
+      svg.append(
+        s("path", { d: `M${M.left},${ys(level)}H${right}`, stroke: INK, "stroke-dasharray": "5 3" }),
+      );
     for (const one of drawn) svg.append(...curve(one, xs, ys));
     scales = { xs, ys };
   };
@@ -137,8 +153,10 @@ function tell(readout, found, { x, y }, view) {
   readout.hidden = !found;
   if (!found) return;
   const { one, p, i, left, top } = found;
-  const value = (axis, v) =>
-    axis.title.replace(/ \[(.*)\]$/, (_, unit) => ` ${number(v, 4)}${unit === "-" ? "" : ` ${unit}`}`);
+  const value = (axis, v) => {
+    const [, name, unit = "-"] = /^(.*?)(?: \[(.*)\])?$/.exec(axis.title);
+    return `${name} ${number(v, 4)}${unit === "-" ? "" : ` ${unit}`}`;
+  };
   readout.textContent = [one.tips?.[i] ?? one.label, value(x, p[0]), value(y, p[1])]
     .filter(Boolean)
     .join("\n");
@@ -149,9 +167,11 @@ function tell(readout, found, { x, y }, view) {
 }
 
 function curve(one, xs, ys) {
+  const d = "M" + one.points.map((p) => `${xs(p[0]).toFixed(1)},${ys(p[1]).toFixed(1)}`).join("L");
+  if (one.shape === "band")
+    return [s("path", { d: d + "Z", fill: one.colour, stroke: one.colour, opacity: PALE })];
   if (one.shape)
     return one.points.map((p) => s("g", { transform: `translate(${xs(p[0])},${ys(p[1])})` }, sign(one)));
-  const d = "M" + one.points.map((p) => `${xs(p[0]).toFixed(1)},${ys(p[1]).toFixed(1)}`).join("L");
   return [
     s("path", {
       d,
@@ -172,6 +192,8 @@ function sign(one) {
       "stroke-width": 2.2,
       fill: "none",
     });
+  if (HOLLOW[one.shape])
+    return s("path", { d: HOLLOW[one.shape], stroke: one.colour, "stroke-width": 1.6, fill: "none" });
   return s("circle", {
     r: 4.6,
     fill: one.shape === "ring" ? "white" : one.colour,
@@ -180,25 +202,21 @@ function sign(one) {
   });
 }
 
+/** What stands for a series in a legend. */
+function symbol(one) {
+  if (one.shape === "band")
+    return s("rect", { x: 1, y: 1, width: 24, height: 10, fill: one.colour, opacity: 2 * PALE });
+  if (one.shape) return s("g", { transform: "translate(13,6)" }, sign(one));
+  return s("path", {
+    d: "M1 6H25",
+    stroke: one.colour,
+    "stroke-width": 2,
+    "stroke-dasharray": one.dash ?? null,
+  });
+}
+
 const swatch = (one) =>
-  s(
-    "svg",
-    { width: 26, height: 12, class: "swatch", "aria-hidden": "true" },
-    one.shape
-      ? s("g", { transform: "translate(13,6)" }, sign(one))
-      : s("path", {
-          d: "M1 6H25",
-          stroke: one.colour,
-          "stroke-width": 2,
-          "stroke-dasharray": one.dash ?? null,
-        }),
-  );
+  s("svg", { width: 26, height: 12, class: "swatch", "aria-hidden": "true" }, symbol(one));
 
 /** For the legend of a saved picture. */
-function legendLayer({ label, shape, colour, dash }) {
-  return {
-    label,
-    shown: true,
-    ...(shape ? { marks: [{ shape, colour }] } : { lines: [[]], look: { stroke: colour, dash, width: 2 } }),
-  };
-}
+const legendLayer = (one) => ({ label: one.label, shown: true, symbol: () => symbol(one) });

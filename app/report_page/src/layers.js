@@ -6,6 +6,7 @@ import { s } from "./dom.js";
 
 /** What stands for a layer in a legend. */
 export function swatchOf(layer) {
+  if (layer.symbol) return layer.symbol();
   const look = layer.look ?? {};
   if (layer.lines || layer.circle)
     return s("path", {
