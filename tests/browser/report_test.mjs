@@ -248,6 +248,37 @@ test("a study is shown with its members and published points", async () => {
   assert.deepEqual(page.heard, []);
 });
 
+test("a study of one key at a time shows what each moves", async () => {
+  const out = study(
+    join(EMBANKMENT, "dry.toml"),
+    ...["--one-at-a-time", "--vary", "soil.fill.cohesion_kPa=8,20"],
+    ...["--vary", "soil.fill.friction_angle_deg=40", "--vary", "soil.fill.young_modulus_kPa=2e5"],
+  );
+  const [base, low, high, steep, stiff] = json(out, "study.json").members;
+  const page = await open(out);
+  const picture = page.locator("#factor-tornado");
+  assert.ok((await picture.textContent()).includes(`the case itself ${base.factor.toFixed(3)}`));
+  const told = await picture.locator("svg title").allTextContents();
+  const text = (member, key) => `${member.values[key]}: ${member.factor.toFixed(3)}`;
+  assert.ok(low.factor < base.factor && base.factor < high.factor);
+  for (const member of [low, high]) assert.ok(told.includes(text(member, "soil.fill.cohesion_kPa")));
+  assert.ok(told.includes(text(steep, "soil.fill.friction_angle_deg")));
+
+  // The lengths of the bars are as the differences, the longest above; what moves nothing has none.
+  const widths = await picture
+    .locator("rect.bar")
+    .evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("width"))));
+  const moved = [low, high, steep, stiff].map((m) => Math.abs(m.factor - base.factor)).filter((d) => d > 0);
+  assert.equal(widths.length, moved.length);
+  const ratio = Math.max(...widths) / Math.max(...moved);
+  widths.sort((a, b) => a - b);
+  moved.sort((a, b) => a - b);
+  for (const [i, width] of widths.entries()) assert.ok(Math.abs(width - ratio * moved[i]) < 1);
+  assert.equal(await page.locator("#curves").count(), 0);
+  await fitsPhoneAndPaper(out, page);
+  assert.deepEqual(page.heard, []);
+});
+
 test("text of the user is text", async () => {
   const hostile = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
   const path = join(scratch, "hostile.toml");

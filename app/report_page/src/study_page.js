@@ -9,6 +9,7 @@ import { ruler } from "./ruler.js";
 import { header } from "./run_page.js";
 import { curves } from "./study_curves.js";
 import { label, namesOf, solved, valueText } from "./study_values.js";
+import { tornado } from "./tornado.js";
 
 export function studyPage(data, page) {
   const { study } = data;
@@ -16,11 +17,13 @@ export function studyPage(data, page) {
   const chapters = [
     ["answer", "Members"],
     ["curves", "Curves"],
+    ["tornado", "What matters most"],
     ["provenance", "Provenance"],
   ];
   const contents = [
     members(study),
     curves(study, data.reference),
+    tornado(study),
     provenance(data),
   ];
   const there = chapters.filter((_, i) => contents[i]);
