@@ -279,6 +279,38 @@ test("a study of one key at a time shows what each moves", async () => {
   assert.deepEqual(page.heard, []);
 });
 
+test("a study shows the phreatic lines of its members", async () => {
+  const path = join(EMBANKMENT, "seepage.toml");
+  const vary = ["--seepage", "--vary", "water.left_level_m=12,18,24", "--set", "seepage.tolerance=3e-3"];
+  const out = study(path, ...vary),
+    { members } = json(out, "study.json");
+  const strokes = (page) =>
+    page
+      .locator("#phreatic-view .overlay g[stroke-width='2']")
+      .evaluateAll((groups) => groups.map((group) => group.getAttribute("stroke")));
+  const page = await open(out);
+  assert.equal(new Set(await strokes(page)).size, 3);
+  assert.ok((await page.locator("#phreatic-view svg").first().textContent()).includes("water.left_level_m"));
+  const line = page.locator("#phreatic-view g[stroke-width='2']").last();
+  const [, x, y] = /^M([\d.-]+),([\d.-]+)/.exec(await line.locator("path").first().getAttribute("d"));
+  const [first] = json(join(out, members[2].directory), "result.json").seepage.phreatic_lines_m[0];
+  assert.ok(Math.hypot(x - first[0], y - first[1]) < 0.01);
+  const before = await line.getAttribute("transform");
+  await page.locator("#phreatic-view").getByLabel("Zoom in").click();
+  await drawn(page);
+  assert.notEqual(await line.getAttribute("transform"), before);
+  assert.equal(await page.locator("#discharge-curve .chart-stage circle").count(), 3);
+  await fitsPhoneAndPaper(out, page);
+  assert.deepEqual(page.heard, []);
+
+  // Without a member's result there is one line less.
+  rmSync(join(out, members[1].directory, "result.json"));
+  execFileSync(BERM, ["report", out]);
+  const less = await open(out);
+  assert.equal((await strokes(less)).length, 2);
+  assert.deepEqual(less.heard, []);
+});
+
 test("text of the user is text", async () => {
   const hostile = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
   const path = join(scratch, "hostile.toml");

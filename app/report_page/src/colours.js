@@ -34,6 +34,7 @@ const MAPS = {
   water: (t) => interpolateYlGnBu(0.06 + 0.9 * t),
   strain: (t) => interpolateMagma(1 - 0.92 * t),
   diverging: interpolatePuOr, // from purple to orange
+  lines: (t) => interpolateViridis(0.9 * t), // its end is seen on white, too
 };
 
 function rgb(text) {

@@ -73,7 +73,8 @@ export function meshFields(mesh, sharp) {
 }
 export const MESH_FIELDS = { head: "hydraulic head", pressure: "pore pressure", flux: "flux (size)" };
 
-function logTicks(low, high) {
+/** Ticks of decadic logarithms from `low` to `high`. */
+export function logTicks(low, high) {
   const ticks = [];
   for (let e = Math.floor(low); e <= high; ++e)
     for (const m of high - low > 2 ? [1] : [1, 2, 5])

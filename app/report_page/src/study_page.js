@@ -8,6 +8,7 @@ import { provenance } from "./provenance.js";
 import { ruler } from "./ruler.js";
 import { header } from "./run_page.js";
 import { curves } from "./study_curves.js";
+import { phreaticLines } from "./study_lines.js";
 import { label, namesOf, solved, valueText } from "./study_values.js";
 import { tornado } from "./tornado.js";
 
@@ -18,12 +19,14 @@ export function studyPage(data, page) {
     ["answer", "Members"],
     ["curves", "Curves"],
     ["tornado", "What matters most"],
+    ["phreatic", "Phreatic lines"],
     ["provenance", "Provenance"],
   ];
   const contents = [
     members(study),
     curves(study, data.reference),
     tornado(study),
+    phreaticLines(study, data.phreatic),
     provenance(data),
   ];
   const there = chapters.filter((_, i) => contents[i]);
