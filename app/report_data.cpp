@@ -53,7 +53,8 @@ Json read_json(const fs::path& path, const char* must_have)
 /// The last part of a path that a result names: nothing outside its directory is ever read.
 fs::path name_in(const Json& json, const char* key)
 {
-  return fs::path(json.at(key).get<std::string>()).filename();
+  const fs::path name = fs::path(json.at(key).get<std::string>()).filename();
+  return name == ".." ? fs::path(".") : name;
 }
 
 std::vector<std::uint32_t> whole(const std::vector<double>& values)

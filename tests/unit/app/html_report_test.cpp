@@ -84,6 +84,17 @@ TEST(ReportData, ReadsNothingOutsideItsDirectory)
   EXPECT_THROW((void)report_data(results), IoError); // there is no lines/secret.csv
 }
 
+TEST(ReportData, AComparisonIsOfFoldersInItsOwn)
+{
+  const TemporaryDirectory directory;
+  const auto inside = directory.path() / "compared";
+  write_run(directory.path(), small_case(), small_analysis()); // outside, and ready to be read
+  std::filesystem::create_directory(inside);
+  std::ofstream(inside / "comparison.json")
+      << R"({"format": 1, "waters": [{"name": "seepage", "directory": ".."}]})";
+  EXPECT_THROW((void)report_data(inside), IoError);
+}
+
 namespace
 {
 /// A study of five members, of which the first, third and fourth ran: study.json and their folders.
