@@ -21,9 +21,10 @@ import every_key
 
 BERM = os.environ["BERM"]
 HAS_SEEPAGE = os.environ.get("BERM_HAS_SEEPAGE", "ON").upper() in ("ON", "1", "TRUE")
-SECONDS = 5  # of a processor, the longest anything may take
-LONGEST = 30  # seconds of a busy machine
-MEGABYTES = 1000
+SLOWDOWN = int(os.environ.get("BERM_SLOWDOWN", "1"))  # of a build with sanitizers
+SECONDS = 5 * SLOWDOWN  # of a processor, the longest anything may take
+LONGEST = 30 * SLOWDOWN  # seconds of a busy machine
+MEGABYTES = 1000 * SLOWDOWN
 
 GROUPS = {
     "texts": lambda: broken_texts.SYNTAX,

@@ -61,7 +61,7 @@ class FaultTest(BermTest):
         shutil.copytree(self.dir / "earlier", self.dir / "out")
 
     def end_with(self, run, code):
-        _, err = run.communicate(timeout=120)
+        _, err = run.communicate(timeout=1200)
         self.assertEqual(run.returncode, code, err)
         return err
 
@@ -185,7 +185,7 @@ class Kills(FaultTest):
                  if self.parent_of(p) == team.pid and "berm" in self.name_of(p)]
         self.assertEqual(len(ranks), 2)
         os.kill(ranks[1], signal.SIGKILL)
-        team.communicate(timeout=30)
+        team.communicate(timeout=120)
         self.assertNotEqual(team.returncode, 0)
         self.expect_one_run()
         self.end_with(self.begin("--resume", "out"), CUT_SHORT)  # alone
