@@ -249,7 +249,7 @@ std::string in_sandbox(const std::function<std::string()>& work, unsigned second
     continue;
   if (answer.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw SandboxFailure(ending(status, seconds));
-  const std::string rest = answer.substr(1);
+  std::string rest = answer.substr(1);
   switch (answer.front())
   {
   case result:

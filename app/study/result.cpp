@@ -57,7 +57,7 @@ std::optional<double> processor_seconds(const Json& result)
 
 std::string why_incomplete(const Json& result)
 {
-  if (const std::string reason = text_at(result, "/stability/reason"); !reason.empty())
+  if (std::string reason = text_at(result, "/stability/reason"); !reason.empty())
     return reason;
   if (result.contains("runout") && !true_at(result, "/runout/at_rest"))
     return "the soil still moves";

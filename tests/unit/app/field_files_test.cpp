@@ -67,7 +67,7 @@ public:
   [[nodiscard]] std::vector<std::string> data_sets() const
   {
     std::vector<std::string> paths;
-    const auto visit = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t
+    const auto visit = [](hid_t, const char* name, const auto* info, void* list) -> herr_t
     {
       if (info->type == H5O_TYPE_DATASET)
         static_cast<std::vector<std::string>*>(list)->push_back(std::string("/") + name);
