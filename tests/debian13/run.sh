@@ -11,7 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 [ -e "$root/etc/debian_version" ] \
   || debootstrap --variant=minbase trixie "$root" "${MIRROR:-http://deb.debian.org/debian}"
 mkdir -p "$root/berm"
-git ls-files -z | tar -c --null -T - | tar -x -C "$root/berm" # build/ there stays, and is built on
+git ls-files -z | tar -c --null -T - | tar -x -m -C "$root/berm" # all new: build/ there stays, and may be later
 
 # shellcheck disable=SC2016 # expanded inside; what is mounted there ends with the command
 exec unshare --mount sh -c '
