@@ -231,6 +231,15 @@ void add_case_options(CLI::App& command, std::string& path, std::vector<std::str
       ->allow_extra_args(false);
 }
 
+/// A range that is refused in the same words with every version of CLI11.
+CLI::Validator thread_count()
+{
+  const CLI::Range range(1, 1024);
+  return {[range](const std::string& value)
+          { return range(value).empty() ? "" : "Value " + value + " not in range 1 to 1024"; },
+          range.get_description()};
+}
+
 void add_run_options(CLI::App& command, RunOptions& options)
 {
   add_case_options(command, options.case_path, options.read.overrides);
@@ -247,7 +256,7 @@ void add_run_options(CLI::App& command, RunOptions& options)
   command
       .add_option("--threads", options.threads, "Threads of the particle loops [all processors]")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(thread_count());
 }
 
 void add_init_options(CLI::App& command, std::string& name, std::string& kind)
@@ -291,7 +300,7 @@ void add_study_options(CLI::App& command, StudyOptions& options)
       .add_option("--jobs", options.jobs,
                   "Members at a time, a thread each [all processors; one on each rank of mpirun]")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(thread_count());
   command
       .add_option(
           "--reference", options.reference,
