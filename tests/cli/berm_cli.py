@@ -11,6 +11,7 @@ BERM = os.environ["BERM"]
 SOURCE = pathlib.Path(os.environ["BERM_SOURCE"])
 HAS_SEEPAGE = os.environ.get("BERM_HAS_SEEPAGE", "ON").upper() in ("ON", "1", "TRUE")
 HAS_REPORT = os.environ.get("BERM_HAS_REPORT", "ON").upper() in ("ON", "1", "TRUE")
+SLOWDOWN = int(os.environ.get("BERM_SLOWDOWN", "1"))  # of a build with sanitizers
 CAN_PLOT = os.environ.get("BERM_PLOTS") == "1"
 SYSTEM_PYTHON = "/usr/bin/python3"
 CAN_VALIDATE = subprocess.run([SYSTEM_PYTHON, "-c", "import jsonschema, tomllib"], check=False,

@@ -17,7 +17,7 @@ import unittest
 
 import h5py
 import numpy as np
-from berm_cli import BERM, DRY, HAS_SEEPAGE, BermTest, without_times
+from berm_cli import BERM, DRY, HAS_SEEPAGE, SLOWDOWN, BermTest, without_times
 
 SEEPAGE = str(pathlib.Path(DRY).with_name("seepage.toml"))
 # Settling, coarse and fine trials, and a run-out that is cut short: about two seconds.
@@ -61,7 +61,7 @@ class FaultTest(BermTest):
         shutil.copytree(self.dir / "earlier", self.dir / "out")
 
     def end_with(self, run, code):
-        _, err = run.communicate(timeout=1200)
+        _, err = run.communicate(timeout=120 * SLOWDOWN)
         self.assertEqual(run.returncode, code, err)
         return err
 
@@ -185,7 +185,7 @@ class Kills(FaultTest):
                  if self.parent_of(p) == team.pid and "berm" in self.name_of(p)]
         self.assertEqual(len(ranks), 2)
         os.kill(ranks[1], signal.SIGKILL)
-        team.communicate(timeout=120)
+        team.communicate(timeout=30 * SLOWDOWN)
         self.assertNotEqual(team.returncode, 0)
         self.expect_one_run()
         self.end_with(self.begin("--resume", "out"), CUT_SHORT)  # alone
@@ -290,7 +290,7 @@ class Limits(FaultTest):
             _, err = self.berm("run", *self.case, "--out", place, code=4)
             self.assertIn(place, err)
 
-    @unittest.skipIf(os.environ.get("BERM_SANITIZE"), "sanitizers reserve terabytes of addresses")
+    @unittest.skipIf(SLOWDOWN > 1, "sanitizers reserve terabytes of addresses")
     def test_too_little_memory(self):
         free = self.begin(*EARLIER)
         most = 0
