@@ -50,11 +50,9 @@ Json read_json(const fs::path& path, const char* must_have)
   return json;
 }
 
-/// The last part of a path that a result names: nothing outside its directory is ever read.
 fs::path name_in(const Json& json, const char* key)
 {
-  const fs::path name = fs::path(json.at(key).get<std::string>()).filename();
-  return name == ".." ? fs::path(".") : name;
+  return name_inside(json.at(key).get<std::string>());
 }
 
 std::vector<std::uint32_t> whole(const std::vector<double>& values)

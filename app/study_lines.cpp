@@ -84,7 +84,7 @@ std::optional<fs::path> folder_of(const fs::path& directory, const Json& member)
   if (!member.is_object() || !member.value("discharge_m2_s", Json()).is_number() ||
       !member.value("directory", Json()).is_string())
     return std::nullopt;
-  return directory / "members" / fs::path(member.at("directory").get<std::string>()).filename();
+  return directory / "members" / name_inside(member.at("directory").get<std::string>());
 }
 
 Json packed_line(const Line& line)

@@ -15,4 +15,10 @@ std::optional<std::string> text_of(const std::filesystem::path& path)
   std::string text{std::istreambuf_iterator<char>(file), {}};
   return file ? std::optional(std::move(text)) : std::nullopt;
 }
+
+std::filesystem::path name_inside(const std::string& path)
+{
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  return name == ".." ? std::filesystem::path(".") : name;
+}
 } // namespace berm::app
