@@ -14,14 +14,12 @@ export function valueText(value) {
 
 const lastPart = (name) => name.split(".").at(-1);
 
-/** What a member has of its own, in a few words. */
-export const label = (member) =>
-  member.varied.map((name) => `${lastPart(name)} = ${valueText(member.values[name])}`).join(", ") ||
-  "the case itself";
-
-/** A few of its values. */
+/** Some of a member's values, in a few words. */
 export const someValues = (member, names) =>
   names.map((name) => `${lastPart(name)} = ${valueText(member.values[name])}`).join(", ");
+
+/** What it has of its own. */
+export const label = (member) => someValues(member, member.varied) || "the case itself";
 
 /** The first name with numbers, and more than one. */
 export const firstNumeric = (study) =>
