@@ -21,6 +21,7 @@ check() {
     "$build/berm" "$@" --quiet --out "$out/$name" >/dev/null || { cat "$out/$name.log"; found=1; }
 }
 case=cases/two_sided_embankment/seepage.toml
+# Coarse, for valgrind takes tens of times as long: what runs is looked at, no number.
 small=(--set seepage.tolerance=0.05 --set output.figures=false --set output.report=false)
 check seepage seepage "$case" "${small[@]}"
 check run run "$case" "${small[@]}" --set sph.spacing_m=3 --set stability.tolerance=0.2
