@@ -22,13 +22,13 @@ sph::Soil soil(double cohesion, double friction_deg)
 }
 
 double factor(const meshes::SectionInput& section, const std::vector<sph::Soil>& soils,
-              const std::string& packing)
+              const std::string& packing, double spacing = 0.5)
 {
   coupling::Case input;
   input.section = section;
   for (const sph::Soil& s : soils)
     input.soils.push_back({.name = "soil", .mechanical = s, .conductivity = {}});
-  input.sph.spacing = 0.5;
+  input.sph.spacing = spacing;
   input.sph.packing = packing;
   Observer silent;
   const coupling::Analysis a = coupling::analyse(input, silent);
@@ -46,12 +46,18 @@ meshes::SectionInput cut(double degrees)
   return input;
 }
 
-std::vector<std::string> packings()
+/// Of lattices each. Of meshes the mean of five: another version of the mesher makes other meshes,
+/// and one is up to 2.4 % low by chance (theory.md, section 3).
+void expect_factor_on_other_packings(const meshes::SectionInput& section,
+                                     const std::vector<sph::Soil>& soils, double F)
 {
+  for (const char* packing : {"lattice", "hexagonal"})
+    EXPECT_NEAR(factor(section, soils, packing) / F, 1, 0.02) << packing;
 #ifdef BERM_WITH_SEEPAGE
-  return {"lattice", "hexagonal", "mesh"};
-#else
-  return {"lattice", "hexagonal"};
+  double sum = 0;
+  for (const double spacing : {0.48, 0.49, 0.5, 0.51, 0.52})
+    sum += factor(section, soils, "mesh", spacing);
+  EXPECT_NEAR(sum / 5 / F, 1, 0.02) << "mesh";
 #endif
 }
 } // namespace
@@ -68,8 +74,7 @@ TEST(PackingOfShapes, AnOverhangIsTheEvenContinuationOfASteepCut)
   const double second_difference = F[1] - 2 * F[2] + F[3];
   EXPECT_NEAR(second_difference, 0, 0.02 * F[2] + 0.02); // and the width of the brackets
   EXPECT_NEAR(F[2], 1.2, 0.02 * 1.2);                    // the rigorous bound's cohesion, times 1.2
-  for (const std::string& packing : packings())
-    EXPECT_NEAR(factor(cut(95), clay, packing) / F[3], 1, 0.02) << packing;
+  expect_factor_on_other_packings(cut(95), clay, F[3]);
 }
 
 TEST(PackingOfShapes, CurvedGroundHasTheFactorOfColumns)
@@ -84,9 +89,7 @@ TEST(PackingOfShapes, CurvedGroundHasTheFactorOfColumns)
   input.ground.emplace_back(45, input.ground.back().y());
   input.base = {{0, 0}, {45, 0}};
   const std::vector<sph::Soil> fill = {soil(10e3, 25)};
-  const double F = factor(input, fill, "columns");
-  for (const std::string& packing : packings())
-    EXPECT_NEAR(factor(input, fill, packing) / F, 1, 0.02) << packing;
+  expect_factor_on_other_packings(input, fill, factor(input, fill, "columns"));
 }
 
 TEST(PackingOfShapes, ZonesHaveTheFactorOfColumns)
@@ -97,8 +100,6 @@ TEST(PackingOfShapes, ZonesHaveTheFactorOfColumns)
   input.zones = {{.soil = 2, .polygon = {{0, 0}, {90, 0}, {90, 3}, {0, 4}}},
                  {.soil = 1, .polygon = {{36, 0}, {52, 0}, {46, 15}, {42, 15}}}};
   const std::vector<sph::Soil> soils = {soil(5e3, 33), soil(20e3, 15), soil(10e3, 18)};
-  const double F = factor(input, soils, "columns");
-  for (const std::string& packing : packings())
-    EXPECT_NEAR(factor(input, soils, packing) / F, 1, 0.02) << packing;
+  expect_factor_on_other_packings(input, soils, factor(input, soils, "columns"));
 }
 } // namespace berm
