@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "meshes/mesh_file.h"
+#include "meshes/gmsh_drawing.h"
 
 #include <string>
 

@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tensor.h"
+#include "meshes/gmsh_drawing.h"
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace berm::meshes
 {
-/// What a physical surface covers.
-struct DrawnRegion
-{
-  std::string name;
-  Polyline
-      polygon; ///< outer border, counter-clockwise; what lies in its holes belongs to others [m]
-};
-
-/// A physical curve.
-struct DrawnCurve
-{
-  std::string name;
-  Polyline line; ///< [m]
-};
-
-/// A section as a file of gmsh draws it.
-struct GmshDrawing
-{
-  Polyline outline;                 ///< of all regions together, counter-clockwise [m]
-  std::vector<DrawnRegion> regions; ///< largest first, so that a later one covers an earlier one; a
-                                    ///< surface in several pieces comes several times
-  std::vector<DrawnCurve> curves;
-};
-
 /// @brief Read the drawing in a geometry (.geo) or mesh (.msh) of gmsh in the plane z = 0, in m:
 /// the borders of its physical surfaces, and its physical curves. The elements themselves are not
 /// kept. Curved borders come as the polygons of the mesh. Points that do nothing on a straight
