@@ -4,12 +4,20 @@
 #include "meshes/planar.h"
 #include "sph/kernel.h"
 #include "sph/neighbours.h"
+#include "sph/particles.h"
 #include "sph/voronoi.h"
+#include "sph/walls.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace berm::sph
 {
 namespace
 {
+/// Of the way to its centroid that an unloaded point goes in a pass: without it some end in pairs.
+constexpr double apart = 0.1;
+
 /// Move a point by a fifth of the spacing at most, unless it would leave the section.
 void move(Vec2& point, Vec2 step, const meshes::Section& section, double spacing)
 {
@@ -20,24 +28,42 @@ void move(Vec2& point, Vec2 step, const meshes::Section& section, double spacing
     point += step;
 }
 
-/// -0.2 h^2 sum_j dx^2 grad_i W_ij for every point [m]
-std::vector<Vec2> shifts(const std::vector<Vec2>& points, const CubicSpline& W, double spacing)
+double distance_to_ground(const meshes::Section& section, const Vec2& p)
 {
-  std::vector<double> x, y;
-  for (const Vec2& p : points)
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < section.ground.size(); ++k)
+    least = std::min(least, meshes::distance(p, section.ground[k - 1], section.ground[k]));
+  return least;
+}
+
+/// -0.2 h^2 sum_j V_j grad_i W_ij for every point, over points and their images behind walls [m]
+std::vector<Vec2> shifts(const meshes::Section& section, const std::vector<Vec2>& points,
+                         const std::vector<VoronoiCell>& cells, const CubicSpline& W)
+{
+  Particles all;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    x.push_back(p.x());
-    y.push_back(p.y());
+    all.x.push_back(points[i].x());
+    all.y.push_back(points[i].y());
+    all.volume.push_back(cells[i].area);
   }
-  const NeighbourList near = find_neighbours(x, y, static_cast<Index>(points.size()), W.radius());
-  const double gain = 0.2 * W.h * W.h * spacing * spacing;
+  for (const Ghost& g : mirror_ghosts(all, section, W.radius()))
+  {
+    all.x.push_back(g.x);
+    all.y.push_back(g.y);
+    all.volume.push_back(cells[static_cast<std::size_t>(g.source)].area);
+  }
+  const NeighbourList near =
+      find_neighbours(all.x, all.y, static_cast<Index>(points.size()), W.radius());
+  const double gain = 0.2 * W.h * W.h;
   std::vector<Vec2> shift(points.size(), Vec2::Zero());
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (const Index j : near.of(static_cast<Index>(i)))
+    for (const Index k : near.of(static_cast<Index>(i)))
     {
-      const Vec2 apart = points[i] - points[static_cast<std::size_t>(j)];
-      const double r = apart.norm();
-      shift[i] -= gain * W.dW(r) / r * apart;
+      const auto j = static_cast<std::size_t>(k);
+      const Vec2 r_ij = points[i] - Vec2{all.x[j], all.y[j]};
+      const double r = r_ij.norm();
+      shift[i] -= gain * all.volume[j] * W.dW(r) / r * r_ij;
     }
   return shift;
 }
@@ -61,13 +87,17 @@ std::vector<Vec2> unload(const meshes::Section& section, std::vector<Vec2> point
   const CubicSpline W{1.2 * spacing};
   std::vector<bool> deep;
   for (const Vec2& p : points)
-    deep.push_back(meshes::nearest_edge(section.outline, p).distance >= W.radius());
+    deep.push_back(distance_to_ground(section, p) >= W.radius());
   for (int pass = 0; pass < passes; ++pass)
   {
     const std::vector<VoronoiCell> cells = voronoi_cells(section, points, spacing);
-    const std::vector<Vec2> shift = shifts(points, W, spacing);
+    const std::vector<Vec2> shift = shifts(section, points, cells, W);
     for (std::size_t i = 0; i < points.size(); ++i)
-      move(points[i], deep[i] ? shift[i] : Vec2(cells[i].centroid - points[i]), section, spacing);
+    {
+      const Vec2 to_centroid = cells[i].centroid - points[i];
+      move(points[i], deep[i] ? Vec2(shift[i] + apart * to_centroid) : to_centroid, section,
+           spacing);
+    }
   }
   return points;
 }

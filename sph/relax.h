@@ -20,9 +20,12 @@ namespace berm::sph
                                       double spacing, int passes);
 
 /// @brief Move relaxed points against the force that a constant stress leaves on them.
-/// Lloyd's iteration ends in grains of hexagons whose borders keep a residual. Points deeper than
-/// 2 h follow x_i -= 0.2 h^2 sum_j dx^2 grad W_ij, docs/theory.md eq. (3.11); those nearer to the
-/// outline, where the sum is cut off, go on to their centroids as in relax(). Cost as relax().
+/// Lloyd's iteration ends in grains of hexagons whose borders keep a residual, and rows on the base
+/// that shear too easily. Points deeper than 2 h under the ground follow
+/// x_i -= 0.2 h^2 sum_j V_j grad W_ij - 0.1 (c_i - x_i), docs/theory.md eq. (3.11), with V and c
+/// the areas and centroids of the cells, and images of the points behind base and sides, as the
+/// soil has them (sph/walls.h); those nearer to the ground, where the sum is cut off, go on to
+/// their centroids as in relax(). Cost as relax().
 /// @param[in] points  Relaxed, as from relax(): two points in a pair would stay one.
 [[nodiscard]] std::vector<Vec2> unload(const meshes::Section& section, std::vector<Vec2> points,
                                        double spacing, int passes);

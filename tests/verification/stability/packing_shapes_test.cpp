@@ -46,18 +46,15 @@ meshes::SectionInput cut(double degrees)
   return input;
 }
 
-/// Of lattices each. Of meshes the mean of five: another version of the mesher makes other meshes,
-/// and one is up to 2.4 % low by chance (theory.md, section 3).
 void expect_factor_on_other_packings(const meshes::SectionInput& section,
                                      const std::vector<sph::Soil>& soils, double F)
 {
   for (const char* packing : {"lattice", "hexagonal"})
     EXPECT_NEAR(factor(section, soils, packing) / F, 1, 0.02) << packing;
 #ifdef BERM_WITH_SEEPAGE
-  double sum = 0;
-  for (const double spacing : {0.48, 0.49, 0.5, 0.51, 0.52})
-    sum += factor(section, soils, "mesh", spacing);
-  EXPECT_NEAR(sum / 5 / F, 1, 0.02) << "mesh";
+  for (const double spacing :
+       {0.48, 0.49, 0.5, 0.51, 0.52}) // five meshes: one may be right by chance
+    EXPECT_NEAR(factor(section, soils, "mesh", spacing) / F, 1, 0.02) << "mesh at " << spacing;
 #endif
 }
 } // namespace
