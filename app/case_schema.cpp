@@ -288,9 +288,8 @@ const std::vector<Key> table = {
      .otherwise = "\"auto\"",
      .sentence =
          "`columns`: columns that end at the ground; `lattice`, `hexagonal`: a square or hexagonal "
-         "lattice relaxed to fit the outline; `mesh`: the nodes of a triangle mesh, relaxed, with "
-         "a "
-         "factor 0 to 2 % lower; `auto`: columns, or the lattice where there are overhangs."},
+         "lattice relaxed to fit the outline; `mesh`: the nodes of a triangle mesh, relaxed; "
+         "`auto`: columns, or the lattice where there are overhangs."},
     {.path = "sph.cone",
      .type = choice,
      .choices = {"fitted", "paper"},

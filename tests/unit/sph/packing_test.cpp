@@ -135,7 +135,7 @@ TEST(Relax, KeepsPointsInsideAndApart)
           section, jittered(section, square_seeds(section, dx), width * dx, 5), dx, "jittered");
       for (std::size_t i = 0; i < p.size(); ++i)
         EXPECT_TRUE(meshes::polygon_contains(section.outline, {p.x[i], p.y[i]}));
-      EXPECT_GT(min_distance(p), 0.5) << "jitter " << width;
+      EXPECT_GT(min_distance(p), 0.65) << "jitter " << width;
       EXPECT_NEAR(tests::total(p.volume) / area_of(section), 1, 1e-12);
       EXPECT_GT(*std::min_element(p.volume.begin(), p.volume.end()), 0.5 * dx * dx);
       EXPECT_LT(*std::max_element(p.volume.begin(), p.volume.end()), 1.6 * dx * dx);
@@ -194,6 +194,8 @@ TEST(PackingCheck, AcceptsColumnsLatticesAndRelaxedDisorder)
     Particles p = fill_from_seeds(section, jittered(section, square_seeds(section, 1), width, 2), 1,
                                   "jittered");
     EXPECT_NO_THROW(require_sound(p, section)) << "jitter " << width;
+    // A fifth of what is refused: no grains whose borders carry no even stress.
+    EXPECT_LT(measure_packing(p, discretise_dry(p, section), section).residual, 0.0032);
   }
 }
 
