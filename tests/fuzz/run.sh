@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzz each target for so many minutes in turn; print executions and findings.
-#   tests/fuzz/run.sh MINUTES [TARGET...]     targets: case set vary result files
+#   tests/fuzz/run.sh MINUTES [TARGET...]     targets: case set vary result mesh files
 # Inputs that break something are kept in build/fuzz/findings, the grown corpus in build/fuzz/corpus.
 # `files` breaks geometries, meshes and results under the release build's program; the others are
 # clang's libFuzzer with address and undefined-behaviour sanitizers.
@@ -9,9 +9,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 minutes=${1:?usage: tests/fuzz/run.sh MINUTES [TARGET...]}
 shift
 targets=("$@")
-[ $# -gt 0 ] || targets=(case set vary result files)
+[ $# -gt 0 ] || targets=(case set vary result mesh files)
 
-if [ ! -x build/fuzz/tests/fuzz/fuzz_result ]; then
+if [ ! -x build/fuzz/tests/fuzz/fuzz_mesh ]; then
   mkdir -p build
   cmake --preset fuzz >build/fuzz.log 2>&1 && cmake --build --preset fuzz >>build/fuzz.log 2>&1
 fi

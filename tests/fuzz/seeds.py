@@ -31,6 +31,20 @@ def after(option, command):
     return [text for flag, text in zip(command, command[1:]) if flag == option]
 
 
+def grid(columns, rows):
+    """Squares of 5 m as bytes of the target `mesh`: a core between shells, a drain at the bottom."""
+    across = columns + 1
+    data = bytes([across * (rows + 1)])
+    for r in range(rows + 1):
+        data += b"".join(bytes([20 * (c - columns // 2) & 255, 20 * r]) for c in range(across))
+    for r in range(rows):
+        for c in range(columns):
+            corner = r * across + c + 1
+            data += bytes([c == columns // 2, 1, corner, corner + 1, corner + across + 1,
+                           corner + across])
+    return data + bytes([3, 0, 1, 2, 0, 0]) + bytes([3, 0, 2, 3, 0, 0])
+
+
 def main():
     out = pathlib.Path(sys.argv[1])
     berm = os.environ.get("BERM", str(ROOT / "build" / "release" / "berm"))
@@ -52,6 +66,8 @@ def main():
             if isinstance(data, (str, bytes)):
                 put(out / "result", bytes([number]) + (data if isinstance(data, bytes)
                                                        else data.encode()))
+    for columns, rows in ((1, 1), (2, 1), (3, 2), (5, 4)):
+        put(out / "mesh", grid(columns, rows))
     sound = out / "sound_results"
     if not sound.exists():
         (out / "case.toml").write_text(doubtful.DAM)
