@@ -25,14 +25,6 @@ namespace
 constexpr double farthest = 1e5; ///< [m], as in a case file
 constexpr double flat = 1e-9;    ///< |z| of the section's extent that is taken for 0
 
-[[noreturn]] void refuse(std::string problem, std::string allowed, std::string hint)
-{
-  throw InputError({{.key = "section.mesh_file",
-                     .problem = std::move(problem),
-                     .allowed = std::move(allowed),
-                     .hint = std::move(hint)}});
-}
-
 /// What gmsh would not read, what it would take for something else, and words of a geometry that
 /// start programs, or read and write other files.
 void check_file(const std::filesystem::path& path)
@@ -44,29 +36,29 @@ void check_file(const std::filesystem::path& path)
   if (!file || error)
     throw IoError(path.string() + ": cannot be opened");
   if (size > most)
-    refuse(fmt::format("has {} MB", size / 1'000'000), "at most 100 MB", "use a coarser mesh");
+    refuse_mesh(fmt::format("has {} MB", size / 1'000'000), "at most 100 MB", "use a coarser mesh");
   if (path.extension() != ".geo")
   {
     // gmsh would run as a geometry whatever does not begin like a mesh.
     constexpr std::string_view begins = "$MeshFormat";
     std::string first(begins.size(), ' ');
     if (!file.read(first.data(), static_cast<std::streamsize>(first.size())) || first != begins)
-      refuse("does not begin with $MeshFormat", "a mesh in gmsh's format 2 or 4",
-             "a geometry's name ends in .geo");
+      refuse_mesh("does not begin with $MeshFormat", "a mesh in gmsh's format 2 or 4",
+                  "a geometry's name ends in .geo");
     return;
   }
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   if (!text.ends_with('\n'))
-    refuse("the last line does not end, and gmsh would not read it", "",
-           "add an empty line at the end");
+    refuse_mesh("the last line does not end, and gmsh would not read it", "",
+                "add an empty line at the end");
   for (const std::string_view word :
        {"SystemCall", "System", "OnelabRun", "Include", "Merge", "Save", "Print", "Plugin",
         "ShapeFromFile", "CreateDir", "Open", "SendToServer", "Exit", "Sleep", "ListFromFile",
         "GetEnv"})
     if (text.find(word) != std::string::npos)
-      refuse(fmt::format("holds the word {}", word),
-             "a geometry of points, curves, surfaces and physical groups alone",
-             "mesh it with gmsh, and give the .msh");
+      refuse_mesh(fmt::format("holds the word {}", word),
+                  "a geometry of points, curves, surfaces and physical groups alone",
+                  "mesh it with gmsh, and give the .msh");
 }
 
 void open_mesh(const std::filesystem::path& path)
@@ -85,7 +77,7 @@ void open_mesh(const std::filesystem::path& path)
   {
     std::string said;
     gmsh::logger::getLastError(said);
-    refuse("gmsh cannot read it" + (said.empty() ? "" : ": " + said), "", "");
+    refuse_mesh("gmsh cannot read it" + (said.empty() ? "" : ": " + said), "", "");
   }
 }
 
@@ -101,7 +93,7 @@ std::map<std::size_t, Vec2> nodes()
   {
     const Vec2 x(xyz[3 * i], xyz[3 * i + 1]);
     if (!x.allFinite() || !std::isfinite(xyz[3 * i + 2]))
-      refuse(fmt::format("node {} is at {}", tags[i], text(x)), "finite numbers", "");
+      refuse_mesh(fmt::format("node {} is at {}", tags[i], text(x)), "finite numbers", "");
     result[tags[i]] = x;
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
@@ -109,11 +101,11 @@ std::map<std::size_t, Vec2> nodes()
   }
   const double extent = tags.empty() ? 0 : (high - low).maxCoeff();
   if (!tags.empty() && !(low.minCoeff() >= -farthest && high.maxCoeff() <= farthest))
-    refuse(fmt::format("its nodes reach from {} to {}", text(low), text(high)),
-           fmt::format("-{0} <= x, y <= {0}", farthest), "lengths are in m");
+    refuse_mesh(fmt::format("its nodes reach from {} to {}", text(low), text(high)),
+                fmt::format("-{0} <= x, y <= {0}", farthest), "lengths are in m");
   if (z_largest > flat * extent)
-    refuse(fmt::format("a node at z = {:.4g} m", z_largest),
-           "a section in the plane z = 0, x to the right and y upwards", "");
+    refuse_mesh(fmt::format("a node at z = {:.4g} m", z_largest),
+                "a section in the plane z = 0, x to the right and y upwards", "");
   return result;
 }
 

@@ -22,14 +22,6 @@ using Edge = std::pair<Node, Node>;
 
 constexpr double flat = 1e-9; ///< of the mesh's extent: points nearer to a line are on it
 
-[[noreturn]] void refuse(std::string problem, std::string allowed, std::string hint)
-{
-  throw InputError({{.key = "section.mesh_file",
-                     .problem = std::move(problem),
-                     .allowed = std::move(allowed),
-                     .hint = std::move(hint)}});
-}
-
 /// The borders and lines of one mesh.
 class Borders
 {
@@ -59,12 +51,12 @@ public:
     if (const auto hole = std::ranges::find_if(outlines, [](const Polyline& loop)
                                                { return polygon_area(loop) < 0; });
         hole != outlines.end())
-      refuse(fmt::format("the surfaces leave a hole at {}", text(hole->front())),
-             "surfaces that fill the section",
-             "are the points of neighbouring surfaces the same points?");
+      refuse_mesh(fmt::format("the surfaces leave a hole at {}", text(hole->front())),
+                  "surfaces that fill the section",
+                  "are the points of neighbouring surfaces the same points?");
     if (outlines.size() != 1)
-      refuse(fmt::format("the surfaces are in {} pieces", outlines.size()), "one connected section",
-             "");
+      refuse_mesh(fmt::format("the surfaces are in {} pieces", outlines.size()),
+                  "one connected section", "");
     result.outline = std::move(outlines.front());
     result.curves = curves();
     return result;
@@ -75,7 +67,7 @@ private:
   {
     const auto it = groups_.nodes.find(node);
     if (it == groups_.nodes.end())
-      refuse(fmt::format("an element has node {}, which is not there", node), "", "");
+      refuse_mesh(fmt::format("an element has node {}, which is not there", node), "", "");
     return it->second;
   }
 
@@ -86,8 +78,8 @@ private:
     for (const MeshGroup& surface : groups_.surfaces)
     {
       if (surface.name.empty())
-        refuse(fmt::format("physical surface {} has no name", surface.tag), "the name of a soil",
-               "in a .geo: Physical Surface(\"fill\") = {1};");
+        refuse_mesh(fmt::format("physical surface {} has no name", surface.tag),
+                    "the name of a soil", "in a .geo: Physical Surface(\"fill\") = {1};");
       std::set<Edge> border;
       for (std::vector<Node> corners : surface.elements)
       {
@@ -104,8 +96,8 @@ private:
       result.emplace_back(surface.name, std::move(border));
     }
     if (result.empty())
-      refuse("has no physical surfaces", "a physical surface for each soil, named after it",
-             "in a .geo: Physical Surface(\"fill\") = {1};");
+      refuse_mesh("has no physical surfaces", "a physical surface for each soil, named after it",
+                  "in a .geo: Physical Surface(\"fill\") = {1};");
     return result;
   }
 
@@ -114,8 +106,8 @@ private:
   {
     for (const auto& [from, to] : more)
       if (border.erase({to, from}) == 0 && !border.insert({from, to}).second)
-        refuse(fmt::format("areas lie on each other at {}", text(at(from))),
-               "surfaces without overlaps", "");
+        refuse_mesh(fmt::format("areas lie on each other at {}", text(at(from))),
+                    "surfaces without overlaps", "");
   }
 
   /// Closed chains of edges, the area on their left, without needless points.
@@ -131,8 +123,8 @@ private:
       {
         const auto ahead = leftmost(edges, chain[chain.size() - 2], chain.back());
         if (ahead == edges.end())
-          refuse(fmt::format("the border of a surface ends at {}", text(at(chain.back()))),
-                 "surfaces without overlaps", "");
+          refuse_mesh(fmt::format("the border of a surface ends at {}", text(at(chain.back()))),
+                      "surfaces without overlaps", "");
         chain.push_back(ahead->second);
         edges.erase(ahead);
       }
@@ -219,9 +211,9 @@ private:
         continue;
       const std::vector<Node> chain = chain_through(std::move(beside));
       if (chain.empty())
-        refuse(fmt::format("physical curve \"{}\" is not one line", curve.name),
-               "curves that follow each other, without branches",
-               "give each piece a name of its own");
+        refuse_mesh(fmt::format("physical curve \"{}\" is not one line", curve.name),
+                    "curves that follow each other, without branches",
+                    "give each piece a name of its own");
       result.push_back({curve.name, without_needless(chain, false)});
     }
     return result;
@@ -231,6 +223,14 @@ private:
   double extent_ = 0; ///< [m]
 };
 } // namespace
+
+void refuse_mesh(std::string problem, std::string allowed, std::string hint)
+{
+  throw InputError({{.key = "section.mesh_file",
+                     .problem = std::move(problem),
+                     .allowed = std::move(allowed),
+                     .hint = std::move(hint)}});
+}
 
 GmshDrawing drawing_of(const MeshGroups& groups)
 {

@@ -25,9 +25,12 @@ struct MeshGroups
   std::vector<MeshGroup> surfaces, curves;
 };
 
+/// @throws InputError with key section.mesh_file, always.
+[[noreturn]] void refuse_mesh(std::string problem, std::string allowed, std::string hint);
+
 /// @brief The borders of the surfaces and of all together, and the curves as lines.
 /// Points that do nothing on a straight border are left out; curves without a name too.
-/// @throws InputError without key or value: no surface or one without a name, elements with nodes
+/// @throws InputError without a value: no surface or one without a name, elements with nodes
 /// that are not there, surfaces that overlap, are not one piece together or leave a hole, a curve
 /// that is not one line.
 [[nodiscard]] GmshDrawing drawing_of(const MeshGroups& groups);
