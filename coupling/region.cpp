@@ -94,10 +94,7 @@ bool Region::contains(const Vec2& point) const
     return false;
   if ((!inside.empty() && !any_contains(inside, point)) || any_contains(outside, point))
     return false;
-  for (std::size_t k = 1; k < ground.size(); ++k)
-    if (meshes::distance(point, ground[k - 1], ground[k]) < min_depth)
-      return false;
-  return true;
+  return meshes::distance(point, ground) >= min_depth;
 }
 
 Region allowed_region(const SearchScope& scope, const meshes::Section& section)

@@ -47,6 +47,15 @@ inline constexpr double same_point = 1e-9;
   return (p - nearest_point(p, a, b)).norm();
 }
 
+/// Distance of p from an open line [m]; infinite if the line has no segment.
+[[nodiscard]] inline double distance(const Vec2& p, const Polyline& line)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < line.size(); ++k)
+    least = std::min(least, distance(p, line[k - 1], line[k]));
+  return least;
+}
+
 /// Where segments a-b and c-d cross at a point inside both; nothing if they only touch or are
 /// parallel.
 [[nodiscard]] inline std::optional<Vec2> crossing(const Vec2& a, const Vec2& b, const Vec2& c,

@@ -32,8 +32,7 @@ double distance_from(const std::vector<Polyline>& lines, const Vec2& point)
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Polyline& line : lines)
-    for (std::size_t k = 1; k < line.size(); ++k)
-      nearest = std::min(nearest, meshes::distance(point, line[k - 1], line[k]));
+    nearest = std::min(nearest, meshes::distance(point, line));
   return nearest;
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace berm::sph
@@ -113,14 +112,6 @@ double crossing(double at_a, double value_a, double at_b, double value_b, double
   return at_a + (at_b - at_a) * std::clamp((level - value_a) / (value_b - value_a), 0.0, 1.0);
 }
 
-double distance_from(const Polyline& line, const Vec2& p)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < line.size(); ++k)
-    least = std::min(least, meshes::distance(p, line[k - 1], line[k]));
-  return least;
-}
-
 /// The circle of a slip line; nothing where that is nearly straight, bulges upwards, or is some
 /// other curve.
 std::optional<FittedCircle> slip_circle(const Mechanism& m)
@@ -177,7 +168,7 @@ std::optional<Mechanism> find_mechanism(const Particles& particles, const State&
                                                    particles.y[lowest], f.speed[lowest], half);
     m.slip_line.push_back({x, y});
     m.depth = std::max(m.depth, meshes::ground_level(section, x) - y);
-    m.thickness = std::max(m.thickness, distance_from(section.ground, {x, y}));
+    m.thickness = std::max(m.thickness, meshes::distance({x, y}, section.ground));
   }
 
   // Step 3: its ends, on the ground between the outermost moving column and its resting neighbour.

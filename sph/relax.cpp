@@ -8,9 +8,6 @@
 #include "sph/voronoi.h"
 #include "sph/walls.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace berm::sph
 {
 namespace
@@ -26,14 +23,6 @@ void move(Vec2& point, Vec2 step, const meshes::Section& section, double spacing
     step *= longest / length;
   if (meshes::polygon_contains(section.outline, point + step))
     point += step;
-}
-
-double distance_to_ground(const meshes::Section& section, const Vec2& p)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < section.ground.size(); ++k)
-    least = std::min(least, meshes::distance(p, section.ground[k - 1], section.ground[k]));
-  return least;
 }
 
 /// -0.2 h^2 sum_j V_j grad_i W_ij for every point, over points and their images behind walls [m]
@@ -87,7 +76,7 @@ std::vector<Vec2> unload(const meshes::Section& section, std::vector<Vec2> point
   const CubicSpline W{1.2 * spacing};
   std::vector<bool> deep;
   for (const Vec2& p : points)
-    deep.push_back(distance_to_ground(section, p) >= W.radius());
+    deep.push_back(meshes::distance(p, section.ground) >= W.radius());
   for (int pass = 0; pass < passes; ++pass)
   {
     const std::vector<VoronoiCell> cells = voronoi_cells(section, points, spacing);
